@@ -13,6 +13,7 @@
 #include "apps/flythrough_options.h"
 #include "backends/all.h"
 #include "core/base/console.h"
+#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/output_file.h"
@@ -20,8 +21,9 @@
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
-#include "flight/plan/map.h"
 #include "flight/field/field.h"
+#include "flight/plan/map.h"
+#include "flight/film/encoder.h"
 #include "flight/film/film.h"
 #include "flight/film/convergence.h"
 #include "flight/film/description.h"
@@ -32,6 +34,7 @@ namespace {
 
 using namespace mandelmarch;
 
+constexpr int film_look = 3;                 // the default look (colouring type) of a film
 constexpr std::size_t long_flight = 20'000;  // frames; the audit of a longer flight takes long and is announced
 
 // Returns the scene to fly through: that of the parameter file, or the official one. Its camera is not used.
@@ -153,6 +156,16 @@ int plan_command(const Flythrough& options, const Backend& backend, const Render
     return show_audit(options, made.path, made.seconds, backend, renderer) ? exit_success : exit_failure;
 }
 
+// Returns the number of threads that one of `local` processes on this machine should use: Cores::threads(), divided by
+// `local` if this process may run on all cores and OMP_NUM_THREADS is not set.
+int threads_for(int local)
+{
+    const Cores mine = cores();
+    // A limit by processor affinity or OMP_NUM_THREADS already applies to each rank, so it is not divided.
+    if (mine.asked || mine.given < mine.machine) return mine.threads();
+    return std::max(1, mine.threads() / std::max(1, local));
+}
+
 // Returns the renderer's options for this rank. The ranks on a machine use different GPUs, if there are several, and
 // share its cores.
 RendererOptions renderer_of(const Flythrough& options, const Backend& backend, const Ranks& ranks)
@@ -204,7 +217,7 @@ void check_pictures(const Flythrough& options, const RendererOptions& renderer, 
 // Plans or reads the path and returns it as text. Called on rank 0 only.
 std::string path_text(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
-    if (options.stills.empty()) check_film_tools(options.output);
+    if (options.stills.empty()) check_ffmpeg(container_of(options.output));
     if (options.command == Command::render) {
         const Path path = read_path(options.path);
         check_pictures(options, renderer, path.frames.size(), path.frames_per_second);

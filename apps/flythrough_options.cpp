@@ -11,12 +11,10 @@
 #include "cli/backend_option.h"
 #include "cli/option_values.h"
 #include "apps/scene_options.h"
-#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
-#include "flight/film/encoder.h"
 
 namespace mandelmarch {
 namespace {
@@ -58,11 +56,9 @@ std::variant<int, Range> frames_option(const std::string& text)
 
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Given& given)
 {
-    std::string names;
-    for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
     add_choice(app, "COMMAND", options.command, commands, "what to do (explained below)")->required();
     app.add_option("PATH", options.path, "path file: read by render and audit, written by film if given");
-    app.add_option("--fractal", options.fractal, names)->capture_default_str();
+    add_fractal_option(app, options.fractal)->capture_default_str();
     app.add_option("--params", options.parameters,
                    "plan, film: take the fractal, not the camera, from this parameter file (.dat)");
     app.add_option("--seed", options.seed, "random seed of the planned route")
@@ -89,8 +85,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     app.add_option("--device", options.device, "device of that backend, from 0 (default: each MPI rank its own GPU)")
         ->check(whole(0, 1'000'000));
     add_precision_options(app, options.renderer);
-    app.add_option("--threads", options.threads, "host threads; 0 (default): one per core that the process may use")
-        ->check(whole(0, 1024));
+    add_threads_option(app, options.threads);
     app.add_option("--look", options.look, "look, a colouring type from 0 to 4 (default: 3, or the path file's)")
         ->check(whole(0, colouring_types - 1));
     app.add_option("--output", options.output,
@@ -213,15 +208,5 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     }
     return options;
 }
-
-int threads_for(int local)
-{
-    const Cores mine = cores();
-    // A limit by processor affinity or OMP_NUM_THREADS already applies to each rank, so it is not divided.
-    if (mine.asked || mine.given < mine.machine) return mine.threads();
-    return std::max(1, mine.threads() / std::max(1, local));
-}
-
-void check_film_tools(const std::string& film) { check_ffmpeg(container_of(film)); }
 
 }  // namespace mandelmarch

@@ -15,9 +15,6 @@
 
 namespace mandelmarch {
 
-// The default look (colouring type) of a film.
-inline constexpr int film_look = 3;
-
 enum class Command { plan, render, film, audit };
 
 struct Flythrough {
@@ -58,12 +55,5 @@ struct Flythrough {
 // Parses the command line. After --help or --version, sets `done` to the exit code with which the program should end.
 // Throws InputError if an argument is invalid.
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done);
-
-// Returns the number of threads that one of `local` processes on this machine should use: Cores::threads() of
-// core/base/cores.h, divided by `local` if this process may run on all cores and OMP_NUM_THREADS is not set.
-int threads_for(int local);
-
-// Throws Error with a message of one line if ffmpeg or the title's font is missing or cannot be used for `film`.
-void check_film_tools(const std::string& film);
 
 }  // namespace mandelmarch

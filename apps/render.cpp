@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/renderer_app.h"
 #include "backends/all.h"
-#include "core/base/error.h"
 
 int render_main(int argc, char** argv)
 {
-    const auto body = [](int count, char** values) {
-        return mandelmarch::render_program(mandelmarch::program_backends(count, values), "render", nullptr, count,
-                                           values);
-    };
-    return mandelmarch::run_program("render", body, argc, argv);
+    return mandelmarch::renderer_main("render", nullptr, mandelmarch::program_backends, argc, argv);
 }

@@ -76,11 +76,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     Options options;
     std::string without;
     app.add_option("PARAMS", options.parameters, "parameter file (.dat); -: standard input");
-    if (fractal == nullptr) {
-        std::string names;
-        for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-        app.add_option("--fractal", options.fractal, names);
-    }
+    if (fractal == nullptr) add_fractal_option(app, options.fractal);
     add_backend_option(app, options.backend, registry);
     app.add_option("--device", options.renderer.device, "device of that backend, from 0 (see --list-devices)")
         ->check(whole(0, 1'000'000))
@@ -97,9 +93,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
                    "samples per pixel side, 1 to 8; 2 means 4 per pixel (default 1, or 2 if PARAMS asks for "
                    "super-sampling)")
         ->check(whole(1, most_samples));
-    app.add_option("--threads", options.renderer.threads,
-                   "host threads; 0 (default): one per core that the process may use")
-        ->check(whole(0, 1024));
+    add_threads_option(app, options.renderer.threads);
     app.add_option("--simd-width", options.renderer.simd_width,
                    "pixels computed at once per core; 1: scalar, 0 (default): automatic")
         ->check(whole(0, 1024));
@@ -258,8 +252,6 @@ void print_trace(const char* program, const Options& options, const Registry& re
     print(text_of(trace_pixel(scene, options.renderer, x, y)));
 }
 
-}  // namespace
-
 int render_program(const Registry& registry, const char* program, const char* fractal, int argc, char** argv)
 {
     std::optional<int> done;
@@ -315,6 +307,16 @@ int render_program(const Registry& registry, const char* program, const char* fr
     write_image(output, format, options.samples > 1 ? averaged(image, options.samples) : image);
     if (!options.stats.empty()) write_stats(options.stats, scene, report, survey, words);
     return exit_success;
+}
+
+}  // namespace
+
+int renderer_main(const char* program, const char* fractal, Registry (*backends)(int, char**), int argc, char** argv)
+{
+    const auto body = [&](int count, char** values) {
+        return render_program(backends(count, values), program, fractal, count, values);
+    };
+    return run_program(program, body, argc, argv);
 }
 
 }  // namespace mandelmarch

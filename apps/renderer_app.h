@@ -6,8 +6,8 @@
 
 namespace mandelmarch {
 
-// Runs the program with the registry's backends. `fractal`: the fractal's name; nullptr: the option --fractal gives it.
-// Returns an exit code, or throws an exception that run_program() (core/base/error.h) converts to one.
-int render_program(const Registry& registry, const char* program, const char* fractal, int argc, char** argv);
+// The main function of these programs. `fractal`: the fractal's name; nullptr: the option --fractal gives it.
+// `backends`: program_backends() (backends/all.h), which this library does not link.
+int renderer_main(const char* program, const char* fractal, Registry (*backends)(int, char**), int argc, char** argv);
 
 }  // namespace mandelmarch

@@ -27,16 +27,13 @@ FractalInputs<Formula> named_inputs()
             .conservative = Formula::input("conservative")};
 }
 
-// Returns a shape parameter with its slider in the report's viewer. If the fractal's descriptor does not set a slider,
-// the slider covers values around the official one; it is null if the parameter is unused.
+// Returns a shape parameter with its slider in the report's viewer, which is null if the parameter is unused.
 Json of(const ParameterInfo& meaning, double official)
 {
     Json slider;
-    if (meaning.slider) {
-        slider = {meaning.slider->low, meaning.slider->high, meaning.slider->step};
-    } else if (meaning.name != ignored_number.name) {
-        const double room = std::max(1.0, 0.5 * std::abs(official));
-        slider = {std::max(meaning.low, official - room), std::min(meaning.high, official + room), room / 100};
+    if (meaning.slider || meaning.name != ignored_number.name) {
+        const auto [low, high, step] = slider_of(meaning, official);
+        slider = {low, high, step};
     }
     return {{"name", meaning.name}, {"low", meaning.low}, {"high", meaning.high}, {"slider", slider}};
 }
@@ -112,6 +109,13 @@ Json json_of(const Layout& k)
 }
 
 }  // namespace
+
+ParameterInfo::Slider slider_of(const ParameterInfo& meaning, double official)
+{
+    if (meaning.slider) return *meaning.slider;
+    const double room = std::max(1.0, 0.5 * std::abs(official));
+    return {std::max(meaning.low, official - room), std::min(meaning.high, official + room), room / 100};
+}
 
 std::string fractals_json()
 {

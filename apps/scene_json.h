@@ -6,9 +6,14 @@
 #include <string>
 
 #include "core/render/backend.h"
+#include "core/scene/fractal.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
+
+// Returns the slider for a number whose official value is given. If the fractal's descriptor does not set one, the
+// slider covers values around the official one.
+ParameterInfo::Slider slider_of(const ParameterInfo& meaning, double official);
 
 // Returns {"scene": constants of all scenes, "fractals": [one object per fractal]}. Formulas are strings as written by
 // core/scene/formula.h; their variables are shape[0] to shape[2], escape, iterations, largest and conservative.

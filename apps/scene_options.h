@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options of several programs: --precision and --mode, and --estimate and --projection, which set properties of a
-// scene that a parameter file does not contain.
+// Options of several programs: --fractal, --threads, --precision and --mode, and --estimate and --projection, which set
+// properties of a scene that a parameter file does not contain.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,11 +9,27 @@
 #include <string>
 
 #include "cli/arguments.h"
+#include "cli/option_values.h"
 #include "core/base/error.h"
 #include "core/render/backend.h"
+#include "core/scene/fractal.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {
+
+// Adds --fractal. `name` contains the default, and receives the value.
+inline CLI::Option* add_fractal_option(CLI::App& app, std::string& name)
+{
+    std::string names;
+    for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+    return app.add_option("--fractal", name, names);
+}
+
+inline void add_threads_option(CLI::App& app, int& threads)
+{
+    app.add_option("--threads", threads, "host threads; 0 (default): one per core that the process may use")
+        ->check(whole(0, 1024));
+}
 
 // Adds --estimate. `conservative`: true for the fractal's conservative estimate.
 inline void add_estimate_option(CLI::App& app, bool& conservative)

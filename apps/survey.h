@@ -31,6 +31,10 @@ void refuse_solid(const Survey& survey, bool one_colour, const std::string& wher
 // Returns warnings for the user, one line each.
 std::vector<std::string> words_of(const Survey& survey, const Scene& scene, bool one_colour);
 
+// Returns a warning for the user about a view that was not surveyed, or "". `clearance`: the distance estimate at the
+// eye. `one_colour`: the view's picture is complete and has a single colour.
+std::string view_warning(const Scene& scene, double clearance, Precision precision, bool one_colour);
+
 // Returns true if all pixels have the same three bytes.
 bool has_one_colour(const Image& image);
 

@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <tuple>
 
-#include "cli/backend_option.h"
-#include "apps/explore/explorer.h"
-#include "apps/explore/script.h"
+#include "apps/explore/view/explorer.h"
+#include "apps/explore/view/script.h"
+#include "backends/all.h"
 #include "cli/arguments.h"
 #include "cli/option_values.h"
-#include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
@@ -90,8 +90,7 @@ int body(int argc, char** argv)
     const Options options = parse_options(registry, argc, argv, done);
     if (done) return *done;
     const Fractal& fractal = options.fractal.empty() ? fractals().front() : fractal_named(options.fractal);
-    std::optional<Script> script;
-    if (!options.script.empty()) script.emplace(options.script);
+    const Script script = options.script.empty() ? Script() : read_script(options.script);
     if (!options.folder.empty() && !std::filesystem::is_directory(options.folder)) {
         throw InputError(fmt::format("--folder: '{}' is not a folder", options.folder));
     }
@@ -99,14 +98,16 @@ int body(int argc, char** argv)
     std::string said;
     const Settings settings = settings_of(options, file, said);
     Window window("mandelmarch explore", settings.width, settings.height);
-    Explorer explorer(registry, window, settings, options.folder);
-    explorer.scene = official_scene(fractal);
-    explorer.say(said);
-    if (!options.file.empty()) explorer.open(options.file);
-    explorer.run(script ? &*script : nullptr);
+    Model model(registry, settings, options.folder, official_scene(fractal));
+    Explorer explorer(model, window);
+    model.say(said);
+    if (!options.file.empty()) model.open(options.file);
+    explorer.run([&] {
+        if (script) script(model, window, explorer);
+    });
     if (!script) {
         try {
-            write_settings(file, explorer.settings);
+            write_settings(file, model.settings);
         } catch (const Error& error) {
             say("explore: {}\n", error.what());
         }

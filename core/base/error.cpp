@@ -47,7 +47,7 @@ double device_timeout()
         fmt::format("MANDELMARCH_DEVICE_TIMEOUT: '{}' given, expected seconds from {} to {:.0f}", text, least, most));
 }
 
-int run_program(const char* program, int (*body)(int, char**), int argc, char** argv)
+int run_program(const char* program, const std::function<int(int, char**)>& body, int argc, char** argv)
 {
     hold_standard_descriptors();
     restore_affinity();

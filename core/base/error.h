@@ -2,6 +2,7 @@
 // Exceptions and exit codes of the programs.
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -52,6 +53,6 @@ double device_timeout();
 
 // Runs `body`, which is the whole program, and returns its exit code. Catches its exceptions and prints them to stderr,
 // as `program: message`. The message of an InputError is printed alone, because it begins with a place (`file:line:`).
-int run_program(const char* program, int (*body)(int, char**), int argc, char** argv);
+int run_program(const char* program, const std::function<int(int, char**)>& body, int argc, char** argv);
 
 }  // namespace mandelmarch

@@ -7,14 +7,16 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <set>
 
-#include "apps/explore/path_editor.h"
-#include "apps/explore/export.h"
-#include "apps/explore/motion.h"
-#include "apps/explore/resolution_control.h"
-#include "apps/explore/settings.h"
-#include "apps/explore/sight.h"
-#include "apps/explore/smooth.h"
+#include "apps/explore/actions/actions.h"
+#include "apps/explore/model/path_editor.h"
+#include "apps/explore/model/export.h"
+#include "apps/explore/model/motion.h"
+#include "apps/explore/view/resolution_control.h"
+#include "apps/explore/model/settings.h"
+#include "apps/survey.h"
+#include "apps/explore/model/smooth.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -62,17 +64,17 @@ TEST(ExploreSight, SaysWhatAPictureCannotShow)
     Scene scene = official("bulb");
     const double clearance = Motion().clearance(scene);
     for (const Precision precision : {Precision::f64, Precision::f32}) {
-        EXPECT_EQ(word_on(scene, clearance, precision, false), "");
-        EXPECT_NE(word_on(scene, clearance, precision, true).find("nothing is in view"), std::string::npos);
+        EXPECT_EQ(view_warning(scene, clearance, precision, false), "");
+        EXPECT_NE(view_warning(scene, clearance, precision, true).find("nothing is in view"), std::string::npos);
     }
     scene.detail = -8;
-    EXPECT_NE(word_on(scene, 1e-6, Precision::f32, false).find("double"), std::string::npos);
-    EXPECT_EQ(word_on(scene, 1e-6, Precision::f64, false), "");
+    EXPECT_NE(view_warning(scene, 1e-6, Precision::f32, false).find("double"), std::string::npos);
+    EXPECT_EQ(view_warning(scene, 1e-6, Precision::f64, false), "");
     for (const char* fractal : {"bulb", "box"}) {
         Scene inside = official(fractal);
         inside.eye = {0.1, 0.1, 0.1};
         inside.target = {1, 2, 3};
-        EXPECT_NE(word_on(inside, Motion().clearance(inside), Precision::f64, true).find("inside the solid"),
+        EXPECT_NE(view_warning(inside, Motion().clearance(inside), Precision::f64, true).find("inside the solid"),
                   std::string::npos)
             << fractal;
     }
@@ -158,6 +160,17 @@ TEST(ExplorePaths, ARecordingHasThirtyFramesASecond)
     path_editor.end_recording();
     EXPECT_NEAR(static_cast<double>(path_editor.frames()), 61, 1);
     EXPECT_NEAR(path_editor.path().frames.back().eye.x, scene.eye.x, 0.003);
+}
+
+TEST(ExploreActions, NamesAndKeysAreUnique)
+{
+    std::set<std::string_view> names;
+    for (const Action& action : actions()) {
+        EXPECT_TRUE(names.insert(action.name).second) << action.name;
+        EXPECT_TRUE(action.key.empty() || names.insert(action.key).second) << action.key;
+        EXPECT_EQ(action_named(action.name), &action);
+    }
+    EXPECT_EQ(action_named("fly"), nullptr);
 }
 
 TEST(ExploreViews, WhatIsHandedOutReadsAsTheView)

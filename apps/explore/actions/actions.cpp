@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/explore/actions/actions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch::explore {
+namespace {
+
+void use(Model& model, const Setup& setup)
+{
+    model.change(setup);
+    model.say(name_of(setup));
+}
+
+// Selects the next device of the backend or, after its last device, the next backend. As soon as all devices have been
+// listed, backends without devices are skipped.
+void next_backend(Model& model, Desktop& /*desktop*/)
+{
+    const auto& backends = model.registry.backends();
+    const auto& listings = model.listings();
+    const Setup& setup = model.view.setup();
+    std::size_t at = 0;
+    while (at + 1 < backends.size() && backends[at]->name() != setup.backend) ++at;
+    if (!listings.empty() && setup.device + 1 < static_cast<int>(listings[at].devices.size())) {
+        return use(model, {setup.backend, setup.device + 1, setup.precision, setup.mode});
+    }
+    for (std::size_t tried = 0; tried < backends.size(); ++tried) {
+        at = (at + 1) % backends.size();
+        if (listings.empty() || !listings[at].devices.empty()) break;
+    }
+    use(model, with_device(setup, *backends[at], 0));
+}
+
+void next_fractal(Model& model, Desktop& /*desktop*/)
+{
+    const auto all = fractals();
+    const auto at = static_cast<std::size_t>(model.view.scene().fractal - all.data());
+    const Fractal& next = all[(at + 1) % all.size()];
+    model.change(official_scene(next));
+    model.say(std::string(next.name));
+}
+
+void next_colouring(Model& model, Desktop& /*desktop*/)
+{
+    model.view.remember();
+    Scene scene = model.view.scene();
+    scene.colouring = (scene.colouring + 1) % colouring_types;
+    model.view.set(scene);
+}
+
+// Adds a pane with another precision or mode. If there are four panes already, only the first one stays.
+void more_panes(Model& model, Desktop& /*desktop*/)
+{
+    ShownView& view = model.view;
+    view.remember();
+    const std::size_t count = view.setups().size() % most_panes + 1;
+    view.set_count(count);
+    view.choose(count - 1);
+    if (count == 1) return;
+    Setup setup = view.setups().front();
+    if (count == 2 || count == 4) setup = with_other_precision(setup);
+    if (count >= 3) setup = with_other_mode(setup);
+    view.set(setup);
+}
+
+void toggle_walls(Model& model, Desktop& /*desktop*/)
+{
+    model.motion.collides = !model.motion.collides;
+    model.say(model.motion.collides ? "walls stop the flight" : "the flight goes through walls");
+}
+
+void save_view(Model& model, Desktop& /*desktop*/)
+{
+    const std::string name = free_name(model.folder, "view");
+    Scene scene = model.view.scene();
+    scene.image_file = name.substr(name.rfind('/') + 1) + ".png";
+    write_file(name + ".dat", view_text(scene));
+    model.say(fmt::format("{}.dat: {}", name, command_of(scene, model.view.setup(), name + ".dat")));
+}
+
+void copy_view(Model& model, Desktop& desktop)
+{
+    Scene scene = model.view.scene();
+    scene.image_file = "view.png";
+    desktop.set_clipboard(view_text(scene));
+    model.say("the view's parameter file is on the clipboard");
+}
+
+void paste_view(Model& model, Desktop& desktop)
+{
+    const std::string text = desktop.clipboard();
+    if (text.empty()) throw InputError("the clipboard has no text");
+    model.change(view_of_text(text, "clipboard", *model.view.scene().fractal));
+    model.say("the clipboard's view");
+}
+
+void save_picture(Model& model, Desktop& /*desktop*/)
+{
+    Scene scene = model.view.scene();
+    scene.width = model.picture_width;
+    scene.height = model.picture_height;
+    model.picture.start(model.registry, model.view.setup(), scene, free_name(model.folder, "picture"));
+    model.say("drawing a picture");
+}
+
+void record(Model& model, Desktop& /*desktop*/)
+{
+    if (model.path_editor.recording()) {
+        model.path_editor.end_recording();
+        return model.say(fmt::format("recorded {} frames", model.path_editor.frames()));
+    }
+    model.path_editor.begin_recording(model.view.scene());
+    model.paths = true;
+    model.say("recording: fly");
+}
+
+void save_path(Model& model, Desktop& /*desktop*/)
+{
+    const std::string name = free_name(model.folder, "path") + ".json";
+    model.path_editor.save(name);
+    model.say(fmt::format("{}: bin/flythrough render {} --output film.mp4", name, name));
+}
+
+void film_path(Model& model, Desktop& /*desktop*/)
+{
+    model.path_editor.film(model.registry, model.view.setup(), free_name(model.folder, "film") + ".mp4",
+                           model.picture_width, model.picture_height);
+    model.say("filming");
+}
+
+void plan_tour(Model& model, Desktop& /*desktop*/)
+{
+    model.path_editor.plan(model.view.scene(), static_cast<std::uint64_t>(model.tour_seed), model.tour_frames);
+    model.paths = true;
+    model.say("planning a tour");
+}
+
+void need_path(const Model& model)
+{
+    if (!model.path_editor.has_path()) throw Error("there is no path: Ctrl+R records one");
+}
+
+void play(Model& model, Desktop& desktop)
+{
+    need_path(model);
+    PathEditor& path_editor = model.path_editor;
+    if (path_editor.recording()) record(model, desktop);
+    path_editor.playing = !path_editor.playing;
+    if (path_editor.playing && path_editor.at() + 1 >= static_cast<double>(path_editor.frames())) path_editor.go_to(0);
+}
+
+template <int frames>
+void step(Model& model, Desktop& /*desktop*/)
+{
+    need_path(model);
+    model.path_editor.go_to(model.path_editor.at() + frames);
+    model.show_path();
+}
+
+void next_broken(Model& model, Desktop& /*desktop*/)
+{
+    const auto frame = model.path_editor.next_broken();
+    if (!frame) throw Error("no broken promise or missed bar has a frame number");
+    model.path_editor.go_to(static_cast<double>(*frame));
+    model.show_path();
+    model.say(fmt::format("frame {}", *frame));
+}
+
+void after_undo(Model& model, bool done, const char* name)
+{
+    if (!done) throw Error(fmt::format("there is nothing to {}", name));
+    model.motion.stop();
+}
+
+constexpr auto over_pictures = Action::Heeded::over_pictures;
+constexpr auto repeated = Action::Heeded::repeated;
+
+constexpr std::array table{
+    Action{"help", "F1", "this help", [](Model& m, Desktop&) { m.help = !m.help; }},
+    Action{"panel", "F2", "panel", [](Model& m, Desktop&) { m.settings.panel = !m.settings.panel; }},
+    Action{"focus", "Escape", "go to the panel or back; arrow keys and Enter work there",
+           [](Model& m, Desktop& d) {
+               if (d.toggle_panel_focus()) m.settings.panel = true;
+           }},
+    Action{"statistics", "F3", "statistics",
+           [](Model& m, Desktop&) { m.settings.statistics = !m.settings.statistics; }},
+    Action{"next-backend", "F4", "next backend or device", next_backend},
+    Action{"next-precision", "F5", "float or double",
+           [](Model& m, Desktop&) { use(m, with_other_precision(m.view.setup())); }},
+    Action{"next-mode", "F6", "exact or fast", [](Model& m, Desktop&) { use(m, with_other_mode(m.view.setup())); }},
+    Action{"next-fractal", "F7", "next fractal", next_fractal},
+    Action{"next-colouring", "F8", "next colouring type", next_colouring},
+    Action{"more-panes", "F9", "side by side: two, three, four, one", more_panes},
+    Action{"next-pane", "F10", "next pane", [](Model& m, Desktop&) { m.view.choose(m.view.chosen() + 1); }},
+    Action{"marks", "M", "mark differing pixels or not",
+           [](Model& m, Desktop&) {
+               m.marks = !m.marks;
+               m.view.changed();
+           },
+           over_pictures},
+    Action{"full-screen", "F11", "full screen", [](Model&, Desktop& d) { d.toggle_full_screen(); }},
+    Action{"reset-view", "Home", "reset the view to the official scene",
+           [](Model& m, Desktop&) { m.change(official_scene(*m.view.scene().fractal)); }, over_pictures},
+    Action{"walls", "C", "fly through walls or stop at them", toggle_walls, over_pictures},
+    Action{"undo", "Ctrl+Z", "undo", [](Model& m, Desktop&) { after_undo(m, m.view.undo(), "undo"); }},
+    Action{"redo", "Ctrl+Y", "redo", [](Model& m, Desktop&) { after_undo(m, m.view.redo(), "redo"); }},
+    Action{"save-view", "Ctrl+S", "save the view as a parameter file", save_view},
+    Action{"copy", "Ctrl+C", "copy the view's parameter file", copy_view},
+    Action{"paste", "Ctrl+V", "show the view of the clipboard's parameter file", paste_view},
+    Action{"save-picture", "Ctrl+P", "save a picture, in the size set in the panel", save_picture},
+    Action{"record", "Ctrl+R", "record a path, or end the recording", record},
+    Action{"smooth", "Ctrl+L", "smooth the path", [](Model& m, Desktop&) { m.path_editor.smooth(); }},
+    Action{"save-path", "Ctrl+D", "save the path", save_path},
+    Action{"film", "Ctrl+M", "render a film of the path", film_path},
+    Action{"plan-a-tour", "Ctrl+T", "plan a tour from the seed", plan_tour},
+    Action{"paths", "F12", "paths panel", [](Model& m, Desktop&) { m.paths = !m.paths; }},
+    Action{"play-or-stop", "Space", "play the path, or stop", play, over_pictures},
+    Action{"frame-back", ",", "one frame back", step<-1>, repeated},
+    Action{"frame-forwards", ".", "one frame forwards", step<1>, repeated},
+    Action{"second-back", "PageUp", "one second back", step<-30>, over_pictures},
+    Action{"second-forwards", "PageDown", "one second forwards", step<30>, over_pictures},
+    Action{"next-broken", "N", "go to the next broken promise or missed bar", next_broken, over_pictures},
+    Action{"camera-here", "K", "move the path's camera here",
+           [](Model& m, Desktop&) { m.path_editor.put_camera(m.view.scene()); }, over_pictures},
+    Action{"cut-before", "", "remove the path's frames before this one",
+           [](Model& m, Desktop&) { m.path_editor.cut_before(); }},
+    Action{"cut-after", "", "remove the path's frames after this one",
+           [](Model& m, Desktop&) { m.path_editor.cut_after(); }},
+    Action{"audit-all", "", "audit the path in full, not only its promises",
+           [](Model& m, Desktop&) { m.path_editor.audit_all(); }},
+    Action{"cancel-picture", "", "cancel the picture that is being saved",
+           [](Model& m, Desktop&) { m.picture.cancel(); }},
+    Action{"quit", "Ctrl+Q", "quit", [](Model& m, Desktop&) { m.quit = true; }},
+};
+
+}  // namespace
+
+void Action::perform(Model& model, Desktop& desktop) const
+{
+    model.attempt([&] { act(model, desktop); });
+}
+
+std::span<const Action> actions() { return table; }
+
+const Action* action_named(std::string_view name)
+{
+    const auto* found = std::ranges::find(table, name, &Action::name);
+    return found != table.end() ? found : nullptr;
+}
+
+}  // namespace mandelmarch::explore

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of actions. Keys, buttons of the panels and lines of scripts perform them, and the help lists them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "apps/explore/model/model.h"
+
+namespace mandelmarch::explore {
+
+// The parts of the window that actions need.
+class Desktop {
+public:
+    virtual ~Desktop() = default;
+    virtual std::string clipboard() const = 0;
+    virtual void set_clipboard(const std::string& text) const = 0;  // throws Error
+    virtual void toggle_full_screen() = 0;
+    // Moves the keyboard from the pictures to the panel or back. Returns true if the panel has it now.
+    virtual bool toggle_panel_focus() = 0;
+};
+
+struct Action {
+    // anywhere: also while a panel has the keyboard. over_pictures: not then, because the key types a character or acts
+    // on panels. repeated: as over_pictures, and a key that is held performs its action repeatedly.
+    enum class Heeded { anywhere, over_pictures, repeated };
+
+    std::string_view name;  // in scripts; buttons show blanks in place of hyphens
+    std::string_view key;   // as SDL names it, such as "Ctrl+S"; empty: no key
+    const char* help;
+    void (*act)(Model& model, Desktop& desktop);
+    Heeded heeded = Heeded::anywhere;
+
+    // Performs the action. Errors are shown as messages.
+    void perform(Model& model, Desktop& desktop) const;
+};
+
+std::span<const Action> actions();
+
+// Returns the action of this name, or nullptr.
+const Action* action_named(std::string_view name);
+
+}  // namespace mandelmarch::explore

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/explore/model/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/base/error.h"
+#include "core/base/memory.h"
+#include "core/base/output_file.h"
+#include "core/image/formats/image_file.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch::explore {
+namespace {
+
+constexpr std::uint64_t spare_memory = 256ULL << 20;  // bytes that a picture must leave free
+
+std::string lower(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+// Returns the fractal whose name occurs in the file's text (to_parameters() writes it as a comment) or, failing that,
+// in the file's name. Returns `hint` if neither contains a name.
+const Fractal& guess(const std::string& text, const std::string& name, const Fractal& hint)
+{
+    for (const std::string& where : {lower(text), lower(std::filesystem::path(name).filename().string())}) {
+        for (const auto name_of : {&Fractal::name, &Fractal::short_name}) {
+            for (const Fractal& fractal : fractals()) {
+                if (where.find(fractal.*name_of) != std::string::npos) return fractal;
+            }
+        }
+    }
+    return hint;
+}
+
+}  // namespace
+
+void as_file(Scene& scene)
+{
+    const Scene plain;
+    scene.smooth = plain.smooth;
+    scene.centred = plain.centred;
+    scene.projection = plain.projection;
+    scene.sun = plain.sun;
+    scene.limits = plain.limits;
+    scene.crop_window = plain.crop_window;
+}
+
+std::string view_text(const Scene& scene)
+{
+    std::string text = to_parameters(scene);
+    if (scene.conservative) text = "# drawn with --estimate conservative\n" + text;
+    return text;
+}
+
+std::string command_of(const Scene& scene, const Setup& setup, const std::string& file)
+{
+    return fmt::format("bin/render {} --fractal {} --backend {} --device {} --precision {} --mode {}{}", file,
+                       scene.fractal->name, setup.backend, setup.device, mandelmarch::name_of(setup.precision),
+                       mandelmarch::name_of(setup.mode), scene.conservative ? " --estimate conservative" : "");
+}
+
+std::string free_name(const std::string& folder, const std::string& stem)
+{
+    for (int number = 1;; ++number) {
+        const std::string name = fmt::format("{}{}{}-{:03}", folder, folder.empty() ? "" : "/", stem, number);
+        const std::array endings{".dat", ".png", ".json", ".mp4"};
+        if (std::ranges::none_of(endings, [&](auto ending) { return std::filesystem::exists(name + ending); }))
+            return name;
+    }
+}
+
+Scene view_of_text(const std::string& text, const std::string& name, const Fractal& hint)
+{
+    Scene scene = parse_parameters(text, name, guess(text, name, hint)).scene;
+    scene.conservative = text.starts_with("# drawn with --estimate conservative");
+    return scene;
+}
+
+Scene read_view(const std::string& file, const Fractal& hint)
+{
+    std::ifstream in(file, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    // If the file cannot be read, read_parameters() throws the error with the right message.
+    return text.empty() ? read_parameters(file, hint).scene : view_of_text(text, file, hint);
+}
+
+void PictureTask::start(const Registry& registry, const Setup& setup, Scene scene, const std::string& name)
+{
+    if (running()) throw Error("a picture is being drawn already");
+    const Backend& backend = backend_of(registry, setup);
+    scene.image_file = std::filesystem::path(name + ".png").filename().string();
+    const std::uint64_t needed =
+        Image::pixels(scene.width, scene.height) * Image::bytes_per_pixel(Image::Layers::bytes) + spare_memory;
+    if (needed > available_memory()) {
+        throw InputError(fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available", scene.width,
+                                     scene.height, needed >> 20, available_memory() >> 20));
+    }
+    OutputFile::check(name + ".png");
+    const std::string text = view_text(scene);
+    // The scene is read back, so that its numbers are rounded as in the file.
+    const Scene read = view_of_text(text, name + ".dat", *scene.fractal);
+    write_file(name + ".dat", text);
+    share_ = std::make_shared<std::atomic<double>>(0);
+    stop_ = std::stop_source();
+    task_.start([&backend, setup, read, name, share = share_, stop = stop_.get_token()] {
+        const auto renderer = backend.create(options_of(setup));
+        Image image(read.width, read.height, Image::Layers::bytes);
+        const RenderStats report = renderer->render(read, image, Progress([&](double done) { *share = done; }, stop));
+        write_image(name + ".png", ImageFormat::png, image);
+        return fmt::format("{}.png in {:.2f} s: {}", name, report.timings.wall, command_of(read, setup, name + ".dat"));
+    });
+}
+
+}  // namespace mandelmarch::explore

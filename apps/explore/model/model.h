@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model: what explore shows and edits. It knows neither the window nor its panels.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/explore/model/export.h"
+#include "apps/explore/model/motion.h"
+#include "apps/explore/model/path_editor.h"
+#include "apps/explore/model/settings.h"
+#include "apps/explore/model/shown_view.h"
+#include "core/render/registry.h"
+
+namespace mandelmarch::explore {
+
+class Model {
+public:
+    // `folder`: for saved files, whose names explore chooses; empty: the current folder. The registry must outlive the
+    // process's threads.
+    Model(const Registry& registry, const Settings& settings, std::string folder, const Scene& scene);
+
+    const Registry& registry;
+    const std::string folder;
+    Settings settings;
+    ShownView view;
+    Motion motion;
+    PathEditor path_editor;
+    PictureTask picture;
+    int picture_width = 1920, picture_height = 1080;  // pixels; size of exported pictures and films
+    int tour_seed = 1, tour_frames = 1800;
+    bool marks = true;  // pixels that differ from the first pane are marked
+    bool help = false;
+    bool paths = false;  // the paths panel is shown
+    bool quit = false;
+
+    // Shows a message to the user until the next message.
+    void say(const std::string& text) { said_ = text; }
+    const std::string& said() const { return said_; }
+
+    // Calls `work`. If it throws an exception, catches it and shows its message to the user.
+    template <class Work>
+    void attempt(const Work& work)
+    {
+        try {
+            work();
+        } catch (const std::exception& error) {
+            say(error.what());
+        }
+    }
+
+    // Shows a scene, at which the camera rests.
+    void show(const Scene& scene);
+    // Saves the current state for undo, then changes the view.
+    void change(const Scene& scene);
+    void change(const Setup& setup);
+    // Sets the view to the current position in the path.
+    void show_path();
+    // Opens a parameter file or a path file. Errors are shown as messages.
+    void open(const std::string& file);
+
+    bool tasks_running() const { return picture.running() || path_editor.planning() || path_editor.filming(); }
+    // Shows the messages of background work. Must be called regularly.
+    void take_news();
+    // Returns one listing of devices per backend, in the registry's order. Empty until all are listed, which happens in
+    // the background, because drivers can be slow.
+    const std::vector<Listing>& listings();
+
+private:
+    std::string said_;
+    Task<std::vector<Listing>> listing_;
+    std::vector<Listing> listings_;
+};
+
+}  // namespace mandelmarch::explore

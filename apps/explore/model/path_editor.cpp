@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/explore/model/path_editor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "apps/explore/model/export.h"
+#include "apps/explore/model/smooth.h"
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+#include "flight/film/film.h"
+#include "flight/plan/planner.h"
+
+namespace mandelmarch::explore {
+namespace {
+
+constexpr std::size_t least_audited = 4;  // frames; shorter paths are not audited
+
+Frame frame_of(const Path& path, const Scene& scene)
+{
+    Frame frame{scene.eye, scene.target, scene.up, scene.field_of_view, {}};
+    if (scene.shape != path.scene.shape) frame.changes.shape = scene.shape;
+    if (scene.iterations != path.scene.iterations) frame.changes.iterations = scene.iterations;
+    if (scene.escape != path.scene.escape) frame.changes.escape = scene.escape;
+    if (scene.colouring != path.scene.colouring) frame.changes.colouring = scene.colouring;
+    if (scene.brightness != path.scene.brightness) frame.changes.brightness = scene.brightness;
+    return frame;
+}
+
+}  // namespace
+
+void PathEditor::go_to(double frame)
+{
+    if (has_path()) at_ = std::clamp(frame, 0.0, static_cast<double>(frames() - 1));
+}
+
+void PathEditor::advance(double seconds)
+{
+    go_to(at_ + seconds * path_.frames_per_second);
+    if (at_ >= static_cast<double>(frames()) - 1) playing = false;
+}
+
+Scene PathEditor::scene(int width, int height) const
+{
+    const auto first = static_cast<std::size_t>(at_);
+    const std::size_t second = std::min(first + 1, frames() - 1);
+    Scene scene = picture_of(
+        path_, between(path_.frames[first], path_.frames[second], at_ - static_cast<double>(first)), width, height);
+    scene.centred = true;
+    return scene;
+}
+
+void PathEditor::save(const std::string& file) const
+{
+    if (!has_path()) throw Error("there is no path to save");
+    write_file(file, to_text(path_));
+}
+
+void PathEditor::take(Path path)
+{
+    path_ = std::move(path);
+    recording_ = false;
+    go_to(at_);
+    rows_.clear();
+    changed();
+}
+
+void PathEditor::begin_recording(const Scene& scene)
+{
+    path_ = Path{};
+    path_.scene = scene;
+    path_.scene.conservative = true;  // the default estimate of films
+    as_file(path_.scene);
+    path_.frames = {frame_of(path_, scene)};
+    at_ = owed_ = 0;
+    rows_.clear();
+    playing = false;
+    recording_ = true;
+    changed();
+}
+
+void PathEditor::record(const Scene& scene, double seconds)
+{
+    if (!recording_) return;
+    const Frame now = frame_of(path_, scene);
+    const Frame before = path_.frames.back();
+    const double begin = owed_;
+    owed_ += seconds * path_.frames_per_second;
+    const double length = owed_ - begin;
+    double done = 0;
+    while (owed_ >= 1) {
+        owed_ -= 1;
+        done += 1;
+        path_.frames.push_back(between(before, now, std::clamp((done - begin) / length, 0.0, 1.0)));
+    }
+    if (done == 0) return;
+    at_ = static_cast<double>(frames() - 1);
+    changed();
+}
+
+void PathEditor::end_recording()
+{
+    if (!recording_) return;
+    recording_ = false;
+    if (has_path()) cut_digits(path_);
+    at_ = 0;
+    changed();
+}
+
+void PathEditor::smooth()
+{
+    if (!has_path()) throw Error("there is no path to smooth");
+    take(smoothed(path_));
+}
+
+void PathEditor::cut_before()
+{
+    if (at_ + 2 >= static_cast<double>(frames())) return;
+    path_.frames.erase(path_.frames.begin(), path_.frames.begin() + static_cast<std::ptrdiff_t>(at_));
+    at_ = 0;
+    changed();
+}
+
+void PathEditor::cut_after()
+{
+    if (at_ < 1) return;
+    path_.frames.resize(static_cast<std::size_t>(at_) + 1);
+    go_to(at_);
+    changed();
+}
+
+void PathEditor::put_camera(const Scene& scene)
+{
+    if (!has_path()) return;
+    take(bent(path_, static_cast<std::size_t>(std::lround(at_)), frame_of(path_, scene)));
+}
+
+void PathEditor::plan(const Scene& scene, std::uint64_t seed, int frame_count)
+{
+    if (planning_.running()) return;
+    Scene shape = scene;
+    shape.conservative = true;
+    as_file(shape);
+    planning_.start(
+        [shape, seed, frame_count] { return mandelmarch::plan(shape, Schedule{}, seed, frame_count, 1).path; });
+}
+
+void PathEditor::film(const Registry& registry, const Setup& setup, const std::string& file, int width, int height)
+{
+    if (!has_path()) throw Error("there is no path to film");
+    if (filming_.running()) return;
+    FilmOptions options;
+    options.output = file;
+    options.renderer = options_of(setup);
+    options.picture.width = width;
+    options.picture.height = height;
+    check_film(options, frames(), path_.frames_per_second);
+    filming_.start([path = path_, &backend = backend_of(registry, setup), options] {
+        const auto ranks = one_rank();
+        const FilmStats report = make_film(path, backend, options, *ranks);
+        return fmt::format("{}: {} frames in {:.0f} s", options.output, path.frames.size(), report.seconds);
+    });
+}
+
+std::string PathEditor::take_news()
+{
+    std::string failure;
+    if (auto audit = audit_.take(failure)) {
+        rows_ = std::move(audit->rows);
+        audited_ = auditing_;
+    } else if (!failure.empty()) {
+        audited_ = auditing_;
+        return "audit: " + failure;
+    }
+    if (!audit_.running() && audited_ != version_ && frames() >= least_audited) {
+        auditing_ = version_;
+        const bool all = whole_audit_ && !recording_;
+        whole_audit_ = false;
+        audit_.start([path = path_, all] { return all ? audit(path, 1) : audit_promises(path, 1); });
+    }
+    if (auto path = planning_.take(failure)) {
+        take(std::move(*path));
+        at_ = 0;
+        playing = true;
+        return fmt::format("a tour of seed {}, {} frames", path_.seed, frames());
+    }
+    if (!failure.empty()) return "planning: " + failure;
+    return news_of(filming_, "film");
+}
+
+std::optional<std::size_t> PathEditor::next_broken() const
+{
+    std::set<std::size_t> named;
+    for (const Row& row : rows_) {
+        // The text was made by at_frame(), such as "frame 12".
+        const std::size_t place = row.worst.find("frame ");
+        if (row.kept() || place == std::string::npos) continue;
+        named.insert(std::strtoull(row.worst.c_str() + place + 6, nullptr, 10));
+    }
+    if (named.empty()) return std::nullopt;
+    const auto next =
+        std::ranges::find_if(named, [this](std::size_t frame) { return static_cast<double>(frame) > at_ + 0.5; });
+    return next != named.end() ? *next : *named.begin();
+}
+
+}  // namespace mandelmarch::explore

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The path editor: records, opens, plans, plays, edits and audits a path, and renders it as a film.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/explore/model/setup.h"
+#include "apps/explore/model/task.h"
+#include "core/render/registry.h"
+#include "flight/audit/audit.h"
+#include "flight/path/path.h"
+
+namespace mandelmarch::explore {
+
+class PathEditor {
+public:
+    bool recording() const { return recording_; }
+    bool playing = false;
+
+    bool has_path() const { return path_.frames.size() > 1; }
+    const Path& path() const { return path_; }
+    std::size_t frames() const { return path_.frames.size(); }
+    double at() const { return at_; }  // the current position in the path, in frames
+    void go_to(double frame);
+    // Moves the position forwards. Stops playing at the end of the path.
+    void advance(double seconds);
+    // Returns the scene at the position, for a picture of this size in pixels.
+    Scene scene(int width, int height) const;
+
+    void open(const std::string& file) { take(read_path(file)); }  // throws InputError
+    void save(const std::string& file) const;
+    // Replaces the path.
+    void take(Path path);
+
+    void begin_recording(const Scene& scene);
+    // Adds the camera's motion since the previous call to the recording. `seconds`: the time since that call.
+    void record(const Scene& scene, double seconds);
+    void end_recording();
+
+    void smooth();
+    // Remove the frames before and after the position.
+    void cut_before();
+    void cut_after();
+    // Moves the path's camera at the position to the scene's camera, and the cameras around it accordingly.
+    void put_camera(const Scene& scene);
+
+    // Plan a tour of the scene's fractal and render the path as a film, both in the background. take_news() reports the
+    // end.
+    void plan(const Scene& scene, std::uint64_t seed, int frames);
+    void film(const Registry& registry, const Setup& setup, const std::string& file, int width, int height);
+    bool planning() const { return planning_.running(); }
+    bool filming() const { return filming_.running(); }
+
+    // Returns the items of the last audit. If stale() is true, they belong to an earlier version of the path.
+    const std::vector<Row>& rows() const { return rows_; }
+    bool stale() const { return audited_ != version_; }
+    // Takes over the results of background work, and starts an audit in the background if the path has changed. Returns
+    // a message for the user about a finished plan or film or about a failure, or "". Must be called regularly.
+    std::string take_news();
+    // Returns the next frame after the position that the audit names for a broken promise or a missed threshold. If no
+    // such frame follows, returns the first one of the path; nullopt if there is none at all.
+    std::optional<std::size_t> next_broken() const;
+    // Requests an audit of all items, not only of promises. It takes seconds.
+    void audit_all()
+    {
+        whole_audit_ = true;
+        audited_ = 0;
+    }
+
+private:
+    void changed() { ++version_; }
+
+    Path path_;
+    double at_ = 0;
+    bool recording_ = false;
+    double owed_ = 0;  // time recorded since the last frame, in frames
+    std::uint64_t version_ = 1, audited_ = 0, auditing_ = 0;
+    bool whole_audit_ = false;
+    std::vector<Row> rows_;
+    Task<Audit> audit_;
+    Task<Path> planning_;
+    Task<std::string> filming_;
+};
+
+}  // namespace mandelmarch::explore

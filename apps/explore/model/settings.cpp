@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/explore/model/settings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/output_file.h"
+#include "core/scene/scene.h"
+#include "core/image/image.h"
+
+namespace mandelmarch::explore {
+
+using Json = nlohmann::ordered_json;
+
+std::string settings_file()
+{
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    const auto given = [](const char* text) { return text != nullptr && *text != '\0'; };
+    if (given(config)) return std::string(config) + "/mandelmarch/explore.json";
+    return given(home) ? std::string(home) + "/.config/mandelmarch/explore.json" : std::string();
+}
+
+Settings read_settings(const std::string& file, std::string& said)
+{
+    Settings settings;
+    std::ifstream in(file, std::ios::binary);
+    if (file.empty() || !in) return settings;
+    try {
+        const Json json = Json::parse(in);
+        Settings read;
+        read.width = std::clamp(json.value("width", read.width), 160, max_side);
+        read.height = std::clamp(json.value("height", read.height), 160, max_side);
+        read.setup.backend = json.value("backend", read.setup.backend);
+        read.setup.device = std::max(0, json.value("device", 0));
+        read.setup.precision = json.value("precision", "float") == "double" ? Precision::f64 : Precision::f32;
+        read.setup.mode = json.value("mode", "fast") == "exact" ? Mode::exact : Mode::fast;
+        read.speed = std::clamp(json.value("speed", read.speed), 1.0 / 16, 16.0);
+        read.scale = std::clamp(json.value("scale", read.scale), 0.5, 4.0);
+        read.collides = json.value("collides", read.collides);
+        read.panel = json.value("panel", read.panel);
+        read.statistics = json.value("statistics", read.statistics);
+        return read;
+    } catch (const Json::exception&) {
+        said = file + ": it is no file of settings, the usual ones are taken";
+        return settings;
+    }
+}
+
+void write_settings(const std::string& file, const Settings& settings)
+{
+    if (file.empty()) return;
+    std::error_code ignored;
+    std::filesystem::create_directories(std::filesystem::path(file).parent_path(), ignored);
+    const Json json{{"width", settings.width},
+                    {"height", settings.height},
+                    {"backend", settings.setup.backend},
+                    {"device", settings.setup.device},
+                    {"precision", mandelmarch::name_of(settings.setup.precision)},
+                    {"mode", mandelmarch::name_of(settings.setup.mode)},
+                    {"speed", settings.speed},
+                    {"scale", settings.scale},
+                    {"collides", settings.collides},
+                    {"panel", settings.panel},
+                    {"statistics", settings.statistics}};
+    write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace mandelmarch::explore

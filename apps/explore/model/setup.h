@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// A setup: the backend, device, precision and mode with which a picture is rendered.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <compare>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/render/registry.h"
+
+namespace mandelmarch::explore {
+
+struct Setup {
+    std::string backend;
+    int device = 0;
+    Precision precision = Precision::f32;
+    Mode mode = Mode::fast;
+
+    auto operator<=>(const Setup&) const = default;
+};
+
+inline std::string name_of(const Setup& setup)
+{
+    return fmt::format("{}{} {} {}", setup.backend, setup.device > 0 ? fmt::format(":{}", setup.device) : "",
+                       mandelmarch::name_of(setup.precision), mandelmarch::name_of(setup.mode));
+}
+
+inline Setup with_other_precision(Setup setup)
+{
+    setup.precision = setup.precision == Precision::f32 ? Precision::f64 : Precision::f32;
+    return setup;
+}
+
+inline Setup with_other_mode(Setup setup)
+{
+    setup.mode = setup.mode == Mode::fast ? Mode::exact : Mode::fast;
+    return setup;
+}
+
+// Returns the setup for a device of another backend. The reference backend begins in double.
+inline Setup with_device(const Setup& setup, const Backend& backend, int device)
+{
+    return {std::string(backend.name()), device,
+            backend.info().role == Role::reference ? Precision::f64 : setup.precision, setup.mode};
+}
+
+inline const Backend& backend_of(const Registry& registry, const Setup& setup)
+{
+    const Backend* backend = registry.find(setup.backend);
+    if (backend == nullptr) throw Unavailable("there is no backend " + setup.backend);
+    return *backend;
+}
+
+// Returns the renderer's options for a setup. Work is not counted, as in bin/render without --stats.
+inline RendererOptions options_of(const Setup& setup)
+{
+    RendererOptions options;
+    options.device = setup.device;
+    options.precision = setup.precision;
+    options.mode = setup.mode;
+    options.counts = false;
+    return options;
+}
+
+}  // namespace mandelmarch::explore

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// A task in the background. It runs in a detached thread, which may be abandoned; its result is polled.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace mandelmarch::explore {
+
+template <class Result>
+class Task {
+public:
+    // Starts `work` in a thread. `work` must own everything that it uses. Must not be called while a task is running.
+    void start(std::function<Result()> work)
+    {
+        std::packaged_task<Result()> task(std::move(work));
+        result_ = task.get_future();
+        std::thread(std::move(task)).detach();
+    }
+
+    bool running() const { return result_.valid(); }
+
+    // Returns the result once after the task has ended. Returns nullopt while the task is running or if there is none;
+    // also if it has failed, and then sets `failure` to the error's message.
+    std::optional<Result> take(std::string& failure)
+    {
+        if (!running() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+        try {
+            return result_.get();
+        } catch (const std::exception& error) {
+            failure = error.what();
+            return std::nullopt;
+        }
+    }
+
+private:
+    std::future<Result> result_;
+};
+
+// Returns once the result of a task or, after `name`, the message of its failure. Returns "" at all other times.
+inline std::string news_of(Task<std::string>& task, const std::string& name)
+{
+    std::string failure;
+    const auto done = task.take(failure);
+    return done ? *done : failure.empty() ? "" : name + ": " + failure;
+}
+
+}  // namespace mandelmarch::explore

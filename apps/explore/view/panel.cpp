@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "apps/explore/view/panels.h"
+#include "apps/scene_json.h"
+#include "core/image/image.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch::explore {
+namespace {
+
+constexpr float width_in_letters = 44;   // width of the panel
+constexpr float most_of_window = 0.55F;  // largest fraction of the window's width for the panel
+constexpr float graph_height = 48;       // pixels
+
+// The items that edit the scene. Each shows a number of `scene`, which is a copy of the view's.
+class SceneItems {
+public:
+    explicit SceneItems(Model& model) : scene(model.view.scene()), model_(model) {}
+
+    Scene scene;
+
+    void number(std::string_view name, double& value, const ParameterInfo& meaning, double official)
+    {
+        if (meaning.name == ignored_number.name) return;
+        const auto [low, high, step] = slider_of(meaning, official);
+        double wanted = value;
+        const bool is_new =
+            ImGui::SliderScalar(std::string(name).c_str(), ImGuiDataType_Double, &wanted, &low, &high, "%.6g");
+        const bool allowed = meaning.open_low ? wanted > meaning.low : wanted >= meaning.low;
+        // The value is rounded to single precision, as in parameter files.
+        if (is_new && allowed && wanted <= meaning.high) value = static_cast<float>(wanted);
+        follow(is_new);
+    }
+
+    // Shows a slider up to `usual`. Values up to `high` can be typed.
+    void integer(const char* name, int& value, int low, int high, int usual)
+    {
+        const bool is_new = ImGui::SliderInt(name, &value, low, usual);
+        value = std::clamp(value, low, high);
+        follow(is_new);
+    }
+
+    void vector(const char* name, Vector& value)
+    {
+        // Rounding errors such as 4.4e-16 are shown as 0, because the field is too narrow for an exponent.
+        const auto shown = [](double c) { return std::abs(c) < 1e-12 ? 0 : c; };
+        double numbers[3] = {shown(value.x), shown(value.y), shown(value.z)};
+        const bool is_new = ImGui::InputScalarN(name, ImGuiDataType_Double, numbers, 3, nullptr, nullptr, "%.9g");
+        if (is_new) value = {numbers[0], numbers[1], numbers[2]};
+        follow(is_new);
+    }
+
+    void box(const char* name, bool& value) { follow(ImGui::Checkbox(name, &value)); }
+
+private:
+    // Must be called after each item. When the user begins to use the item, saves the view for undo. `is_new`: the item
+    // has changed the scene.
+    void follow(bool is_new)
+    {
+        if (ImGui::IsItemActivated()) model_.view.remember();
+        if (!is_new) return;
+        model_.attempt([&] {
+            check_scene(scene, [](Item) { return std::string("the view"); });
+            model_.view.set(scene);
+        });
+        scene = model_.view.scene();
+    }
+
+    Model& model_;
+};
+
+void scene_items(Model& model)
+{
+    if (ImGui::BeginCombo("fractal", std::string(model.view.scene().fractal->name).c_str())) {
+        for (const Fractal& fractal : fractals()) {
+            const bool is = &fractal == model.view.scene().fractal;
+            if (ImGui::Selectable(std::string(fractal.name).c_str(), is)) model.change(official_scene(fractal));
+        }
+        ImGui::EndCombo();
+    }
+    SceneItems items(model);
+    Scene& scene = items.scene;
+    const Fractal& fractal = *scene.fractal;
+    const Scene official = official_scene(fractal);
+    for (std::size_t i = 0; i < fractal.shape.size(); ++i) {
+        items.number(fractal.shape.at(i).name, scene.shape.at(i), fractal.shape.at(i), official.shape.at(i));
+    }
+    items.number(fractal.escape.name, scene.escape, fractal.escape, official.escape);
+    items.integer("iterations", scene.iterations, 1, max_iterations, 200);
+    items.number("detail level", scene.detail, {"", -37, 3, false, ParameterInfo::Slider{-6, -1, 0.1}}, -3);
+    items.number("field of view", scene.field_of_view, {"", 1e-3, 2.7, false, ParameterInfo::Slider{0.2, 2.5, 0.05}},
+                 1);
+    items.integer("colouring type", scene.colouring, 0, colouring_types - 1, colouring_types - 1);
+    items.number("brightness", scene.brightness, {"", 0, 1e6, false, ParameterInfo::Slider{0.2, 3, 0.1}}, 1);
+    items.box("conservative estimate", scene.conservative);
+    items.vector("eye", scene.eye);
+    items.vector("look at", scene.target);
+    items.vector("up", scene.up);
+}
+
+void flight_items(Motion& motion)
+{
+    const double slow = -4;
+    const double fast = 4;
+    double power = std::log2(motion.speed);
+    if (ImGui::SliderScalar("speed", ImGuiDataType_Double, &power, &slow, &fast, "2^%.2f DE/s")) {
+        motion.speed = std::exp2(power);
+    }
+    ImGui::Checkbox("walls stop the flight", &motion.collides);
+}
+
+void device_list(Model& model)
+{
+    const Setup now = model.view.setup();
+    if (!ImGui::BeginCombo("backend", fmt::format("{}:{}", now.backend, now.device).c_str(),
+                           ImGuiComboFlags_HeightLarge)) {
+        return;
+    }
+    const auto& listings = model.listings();
+    std::size_t at = 0;
+    for (const auto& backend : model.registry.backends()) {
+        const Listing listing = at < listings.size() ? listings[at] : Listing{{{"", "", "", false}}, "", ""};
+        ++at;
+        for (std::size_t i = 0; i < listing.devices.size(); ++i) {
+            const Setup setup = with_device(now, *backend, static_cast<int>(i));
+            const std::string name = fmt::format("{}:{} {}", backend->name(), i, listing.devices[i].name);
+            const bool is = now.backend == setup.backend && now.device == setup.device;
+            if (ImGui::Selectable(name.c_str(), is)) model.change(setup);
+        }
+        const std::string& why = listing.failure.empty() ? listing.unavailable : listing.failure;
+        if (!why.empty()) ImGui::TextDisabled("%s: %s", std::string(backend->name()).c_str(), why.c_str());
+    }
+    ImGui::EndCombo();
+}
+
+// Shows two radio buttons. `other`: the setup if the one that is off is chosen.
+void two_choices(Model& model, const char* first, const char* second, bool is_first, const Setup& other)
+{
+    if (ImGui::RadioButton(first, is_first) && !is_first) model.change(other);
+    ImGui::SameLine();
+    if (ImGui::RadioButton(second, !is_first) && is_first) model.change(other);
+}
+
+void setup_items(Model& model)
+{
+    ShownView& view = model.view;
+    int count = static_cast<int>(view.setups().size());
+    if (ImGui::SliderInt("side by side", &count, 1, most_panes)) {
+        view.remember();
+        view.set_count(static_cast<std::size_t>(std::clamp(count, 1, most_panes)));
+    }
+    if (view.setups().size() > 1) {
+        int chosen = static_cast<int>(view.chosen()) + 1;
+        if (ImGui::SliderInt("pane", &chosen, 1, count)) view.choose(static_cast<std::size_t>(std::max(1, chosen)) - 1);
+        if (ImGui::Checkbox("mark differing pixels", &model.marks)) view.changed();
+    }
+    device_list(model);
+    const Setup now = view.setup();
+    two_choices(model, "float", "double", now.precision == Precision::f32, with_other_precision(now));
+    two_choices(model, "fast", "exact", now.mode == Mode::fast, with_other_mode(now));
+}
+
+void export_items(Model& model, Desktop& desktop)
+{
+    show_buttons(model, desktop, {{"save-view"}, {"copy"}, {"paste"}});
+    int size[2] = {model.picture_width, model.picture_height};
+    if (ImGui::InputInt2("picture", size)) {
+        model.picture_width = std::clamp(size[0], 1, max_side);
+        model.picture_height = std::clamp(size[1], 1, max_side);
+    }
+    if (!model.picture.running()) return show_buttons(model, desktop, {{"save-picture"}});
+    ImGui::ProgressBar(static_cast<float>(model.picture.progress()));
+    show_buttons(model, desktop, {{"cancel-picture"}});
+}
+
+void graph(const std::deque<float>& intervals)
+{
+    if (intervals.empty()) return;
+    const double total = std::accumulate(intervals.begin(), intervals.end(), 0.0);
+    ImGui::PlotLines(
+        "##frames",
+        [](void* data, int at) {
+            return 1000 * (*static_cast<const std::deque<float>*>(data))[static_cast<std::size_t>(at)];
+        },
+        const_cast<std::deque<float>*>(&intervals), static_cast<int>(intervals.size()), 0,
+        fmt::format("{:.0f} frames per second over the last ten seconds; top 50 ms",
+                    static_cast<double>(intervals.size()) / total)
+            .c_str(),
+        0, 50, ImVec2(-1, graph_height));
+}
+
+}  // namespace
+
+void show_buttons(Model& model, Desktop& desktop, std::initializer_list<Button> row)
+{
+    for (const Button& button : row) {
+        if (&button != row.begin()) ImGui::SameLine();
+        std::string label = button.label.empty() ? button.action : button.label;
+        std::ranges::replace(label, '-', ' ');
+        if (ImGui::Button(label.c_str())) action_named(button.action)->perform(model, desktop);
+    }
+}
+
+float panel_width(int window_width)
+{
+    // The width follows from the font's nominal size, because the size that ImGui returns is 0 before the first frame.
+    const float letter = 13 * ImGui::GetIO().FontGlobalScale;
+    return std::round(std::min(width_in_letters * letter * 0.6F, most_of_window * static_cast<float>(window_width)));
+}
+
+void show_panel(Model& model, Desktop& desktop, const std::deque<float>& intervals, float width, bool focus)
+{
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y});
+    if (focus) ImGui::SetNextWindowFocus();
+    ImGui::Begin("panel", nullptr,
+                 (ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushItemWidth(ImGui::GetWindowWidth() * 0.55F);
+    ImGui::TextDisabled("F1 help, F2 hides this, Esc in and out");
+    if (ImGui::CollapsingHeader("backend and mode", ImGuiTreeNodeFlags_DefaultOpen)) setup_items(model);
+    if (ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen)) {
+        scene_items(model);
+        flight_items(model.motion);
+        show_buttons(model, desktop, {{"reset-view"}, {"undo"}, {"redo"}});
+    }
+    if (ImGui::CollapsingHeader("save and export", ImGuiTreeNodeFlags_DefaultOpen)) export_items(model, desktop);
+    ImGui::Checkbox("paths", &model.paths);
+    ImGui::SameLine();
+    ImGui::Checkbox("statistics", &model.settings.statistics);
+    float scale = static_cast<float>(model.settings.scale);
+    if (ImGui::SliderFloat("text size", &scale, 0.5F, 4.0F, "%.1f")) {
+        model.settings.scale = static_cast<double>(scale);
+        ImGui::GetIO().FontGlobalScale = scale;
+    }
+    graph(intervals);
+    ImGui::PopItemWidth();
+    ImGui::End();
+}
+
+}  // namespace mandelmarch::explore

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panels of the window. They are shown between Window::begin() and Window::draw_panels().
+#pragma once
+
+#include <SDL.h>
+
+#include <deque>
+#include <initializer_list>
+#include <string>
+
+#include "apps/explore/actions/actions.h"
+#include "apps/explore/view/panes.h"
+
+namespace mandelmarch::explore {
+
+// Shows the panel at the left: view, fractal, backend, export. `intervals`: seconds between the window's last frames.
+// `focus`: moves the keyboard to the panel.
+void show_panel(Model& model, Desktop& desktop, const std::deque<float>& intervals, float width, bool focus);
+
+// Returns that panel's width in a window of this width, both in pixels.
+float panel_width(int window_width);
+
+// Shows the path, its audit, and tours. `left`: the pixels that the other panel covers.
+void show_paths(Model& model, Desktop& desktop, float left);
+
+// Shows statistics and warnings over each picture, and messages. `area`: the part of the window for pictures.
+// `clearance`: the distance estimate at the eye.
+void show_overlay(const Model& model, const Panes& panes, const SDL_Rect& area, double clearance);
+
+void show_help(Model& model);
+
+// A button that performs an action. Without a label, it shows the action's name.
+struct Button {
+    std::string action;
+    std::string label{};
+};
+void show_buttons(Model& model, Desktop& desktop, std::initializer_list<Button> row);
+
+}  // namespace mandelmarch::explore

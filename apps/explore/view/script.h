@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scripts that simulate the user. A line is the name of an action, or a command that presses keys, moves the mouse or
+// waits for results; docs/explore.md lists them.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "apps/explore/view/explorer.h"
+
+namespace mandelmarch::explore {
+
+// Performs a script's lines until one must wait for the next frame. Must be called before each frame. At the end of the
+// script, makes explore quit.
+using Script = std::function<void(Model& model, Window& window, Explorer& explorer)>;
+
+// Reads a script. Throws InputError with a message that begins with `file:line: `.
+Script read_script(const std::string& file);
+
+}  // namespace mandelmarch::explore
