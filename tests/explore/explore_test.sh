@@ -134,7 +134,7 @@ is path 3 't["path"]["at"] > 30' True
 
 # Renders on every backend that has a device, one after the other, then in four panes.
 {
-    echo rest
+    printf 'rest\ntasks\n'
     "$bin/render" --list-devices | grep -v 'unavailable\|FAILED' | while read -r _; do printf 'key F4\nrest\ntell\n'; done
 } >backends.txt
 play backends --fractal box --size 160x120

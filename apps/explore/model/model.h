@@ -59,7 +59,10 @@ public:
     // Opens a parameter file or a path file. Errors are shown as messages.
     void open(const std::string& file);
 
-    bool tasks_running() const { return picture.running() || path_editor.planning() || path_editor.filming(); }
+    bool tasks_running() const
+    {
+        return listing_.running() || picture.running() || path_editor.planning() || path_editor.filming();
+    }
     // Shows the messages of background work. Must be called regularly.
     void take_news();
     // Returns one listing of devices per backend, in the registry's order. Empty until all are listed, which happens in
