@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits of the numbers in bench's files, and the names of its enumerations.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "bench/files/fields.h"
+#include "bench/judge/verdict.h"
+#include "core/render/backend.h"
+
+namespace mandelmarch::bench {
+
+namespace rules {
+
+// Times may be 0 or less: for such samples `bench compare` reports that the configuration cannot be compared.
+inline constexpr Rule seconds{.min = -1e9, .max = 1e9, .timed = true};
+inline constexpr Rule real{.min = -1e6, .max = 1e6};
+inline constexpr Rule rate{.max = 1e30, .timed = true};
+inline constexpr Rule fraction{.max = 1};
+inline constexpr Rule count{.timed = true};
+inline constexpr Rule text_or_null{.null = Null::empty};
+inline constexpr Rule infinite{.min = -std::numeric_limits<double>::infinity(),
+                               .max = std::numeric_limits<double>::infinity(),
+                               .null = Null::infinite,
+                               .about = "null: infinite"};
+constexpr Rule about(Rule rule, const char* text)
+{
+    rule.about = text;
+    return rule;
+}
+
+}  // namespace rules
+
+template <>
+struct Names<Precision> {
+    static constexpr std::array values{Precision::f32, Precision::f64};
+};
+template <>
+struct Names<Mode> {
+    static constexpr std::array values{Mode::exact, Mode::fast};
+};
+
+template <>
+struct Names<Verdict> {
+    static constexpr std::array values{Verdict::faster,    Verdict::slower,       Verdict::same,
+                                       Verdict::undecided, Verdict::wrong,        Verdict::missing,
+                                       Verdict::only_new,  Verdict::not_compared, Verdict::no_speed};
+};
+
+}  // namespace mandelmarch::bench
