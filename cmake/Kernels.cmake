@@ -98,5 +98,7 @@ namespace @with_NAMESPACE@ {
 }  // namespace @with_NAMESPACE@
 ]])
         target_sources(${target} PRIVATE ${file})
+        # A specialisation must not follow a use in the same unit.
+        set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
 endfunction()
