@@ -14,8 +14,8 @@ struct PixelCount {
     std::uint64_t hits = 0;
 };
 
-// A function that renders pixel (i, j), adds its counts to `to`, and appends the number of DE iterations of each step
-// of its ray to `steps`.
+// A function that renders pixel (i, j), adds its counts to `to`, and appends one number to `steps` for each step of the
+// pixel's ray: the step's DE iterations.
 template <class Real>
 using CountPixel = void(const KernelScene<Real>& scene, int i, int j, PixelCount& to, RaySteps& steps);
 

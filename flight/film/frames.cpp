@@ -30,7 +30,7 @@ Frame looking_everywhere(const Path& path, Frame frame)
     return frame;
 }
 
-constexpr int directions = 24;            // of the sun that are compared
+constexpr int directions = 24;            // number of candidate directions for the sun
 constexpr std::size_t frames_apart = 30;  // frames from one compared frame to the next
 constexpr double against = 0.5;           // weight of a sun in front of the camera; one behind it has weight 1
 

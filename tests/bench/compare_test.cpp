@@ -187,7 +187,7 @@ TEST(Compare, WhatLosesItsSpeedIsARegression)
 {
     struct Loss {
         std::string why;
-        std::function<void(Row&)> change;  // of the row in the new result
+        std::function<void(Row&)> change;  // changes a row of the new result
         Verdict verdict = Verdict::missing;
     };
     const std::vector<Loss> losses{

@@ -85,7 +85,7 @@ void push_mouse(const Window& window, Uint32 type, int dx, int dy)
     SDL_PushEvent(&event);
 }
 
-// What commands act on.
+// The objects that a script's commands change.
 struct Stage {
     Model& model;
     Window& window;

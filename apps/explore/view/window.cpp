@@ -54,7 +54,7 @@ Uint32 format_of(SDL_Renderer* renderer)
                                                                                              : SDL_PIXELFORMAT_ARGB8888;
 }
 
-// Creates the texture with the letters of Dear ImGui's font. Throws Error if that fails.
+// Returns a new texture with Dear ImGui's font. Throws Error if SDL cannot create it.
 SDL_Texture* font_texture(SDL_Renderer* renderer)
 {
     ImGuiIO& io = ImGui::GetIO();

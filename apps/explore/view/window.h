@@ -51,7 +51,7 @@ private:
     SDL_Renderer* renderer_ = nullptr;
     bool waits_ = false;
     bool focus_ = false;
-    Texture letters_{nullptr, SDL_DestroyTexture};  // of Dear ImGui's font
+    Texture letters_{nullptr, SDL_DestroyTexture};  // Dear ImGui's font
 };
 
 }  // namespace mandelmarch::explore
