@@ -20,10 +20,9 @@
 namespace mandelmarch {
 namespace {
 
-constexpr int least_letter = 8;  // pixels; smallest legible size, but a smaller wanted size is allowed
-constexpr double rather_broken =
-    0.6;                       // fraction of the wanted size; a line whose letters would be smaller is broken in two
-constexpr int tab_blanks = 4;  // as in ffmpeg's drawtext
+constexpr int least_letter = 8;          // pixels; smallest legible size, but a smaller wanted size is allowed
+constexpr double rather_broken = 0.6;    // fraction of the wanted size below which a line is broken in two
+constexpr int tab_blanks = 4;            // as in ffmpeg's drawtext
 constexpr std::size_t most_lacking = 8;  // letters listed in a message
 constexpr std::string_view line_ends = "\n\r\f\v";
 
