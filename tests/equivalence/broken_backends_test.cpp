@@ -8,21 +8,14 @@
 
 #include "backends/all.h"
 #include "backends/openmp/openmp.h"
-#include "backends/skeleton/kernel.h"
 #include "bench/scenes/equivalence.h"
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
+#include "tests/equivalence/broken_kernels.h"
 #include "tests/equivalence/equivalence.h"
 
 namespace mandelmarch {
-namespace skeleton {
-template <class Real>
-DrawBand<Real>* wrong_fold(std::string_view variant);
-template <class Real>
-DrawBand<Real>* contracted(std::string_view variant);
-}  // namespace skeleton
-
 namespace {
 
 enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down, other_work, error };

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The skeleton's kernel with a wrong fold, and with contraction enabled.
+#pragma once
+
+#include "backends/skeleton/kernel.h"
+
+namespace mandelmarch::skeleton {
+
+// Returns the broken kernel of a variant, "wrong_fold_PRECISION" or "contracted_PRECISION".
+template <class Real>
+DrawBand<Real>* wrong_fold(std::string_view variant);
+template <class Real>
+DrawBand<Real>* contracted(std::string_view variant);
+
+}  // namespace mandelmarch::skeleton
