@@ -9,7 +9,7 @@
 
 #include "bench/machine/environment.h"
 #include "bench/contest/line_socket.h"
-#include "bench/harness/prepare.h"
+#include "bench/harness/verify.h"
 #include "core/base/error.h"
 
 namespace mandelmarch::bench {
