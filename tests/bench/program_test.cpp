@@ -103,6 +103,21 @@ INSTANTIATE_TEST_SUITE_P(Defects, BrokenPicture,
                          testing::Values(Defect::one_byte, Defect::not_a_number, Defect::upside_down,
                                          Defect::wrong_later, Defect::stale, Defect::dies_later));
 
+// The study demo has its own table, which shows the same failures.
+TEST(BenchProgram, TheDemoShowsWrongPictures)
+{
+    const std::vector<std::string> arguments{"--study", "demo", "--size", "32x32", "--repetitions", "1"};
+    const Ran sound = run(Defect::none, arguments);
+    EXPECT_EQ(sound.code, exit_success) << sound.err;
+    EXPECT_NE(sound.out.find("mandelbox   openmp-scalar "), std::string::npos) << sound.out;
+    EXPECT_EQ(sound.out.find("FAILED"), std::string::npos) << sound.out;
+    const Ran broken = run(Defect::one_byte, arguments);
+    EXPECT_EQ(broken.code, exit_failure);
+    EXPECT_NE(broken.out.find("mandelbox   broken        double    exact FAILED: the picture is wrong"),
+              std::string::npos)
+        << broken.out;
+}
+
 TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
 {
     EXPECT_EQ(run(Defect::one_byte, small("fast")).code, exit_success);
@@ -203,20 +218,6 @@ TEST(BenchProgram, LinesAreAtMost120Characters)
     std::istringstream out(
         run(Defect::none, {"--size", "32x32", "--study", "threads", "--fractal", "box", "--repetitions", "1"}).out);
     for (std::string line; std::getline(out, line);) EXPECT_LE(line.size(), 120U) << line;
-}
-
-TEST(BenchProgram, AResultIsReadAsItWasWritten)
-{
-    const Ran ran = run(Defect::upside_down, small("exact"));
-    const Result result = result_from_json(ran.json, "file");
-    EXPECT_EQ(json_of(result), ran.json);
-    auto other = ran.json;
-    other["version"] = schema_version + 1;
-    EXPECT_THROW(result_from_json(other, "file"), InputError);
-    other = ran.json;
-    other["rows"][0].erase("samples");
-    EXPECT_THROW(result_from_json(other, "file"), InputError);
-    EXPECT_THROW(result_from_json(nlohmann::ordered_json::array(), "file"), InputError);
 }
 
 TEST(BenchProgram, TheCsvHasALineARow)

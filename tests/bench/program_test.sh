@@ -86,6 +86,7 @@ cmp out a.csv || fail "csv makes other lines than --csv"
 expect 2 "${quick[@]}" --json nosuch/x.json
 ! grep -q verif err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
+expect 2 "${quick[@]}" --json /tmp
 expect 2 "${quick[@]}" --json - --benchmark_format=csv
 expect 2 "${quick[@]}" --json x.json --csv x.json
 expect 2 "${quick[@]}" --budget nan
@@ -164,44 +165,15 @@ expect 2 equivalence --backend nosuch
 expect 2 equivalence --fractal nosuch
 expect 2 equivalence --scenes 0
 
-expect 2 --nosuch
-expect 2 --size 10
 expect 2 compare a.json
 expect 2 compare a.json nosuch.json
 echo '{"schema": "mandelmarch-bench", "version": 99}' >future.json
 expect 2 compare a.json future.json
 grep -q 'version 99' err || fail "the version is not named"
-expect 1 "${quick[@]}" --fractal box --json /dev/full
 echo "not JSON" >bad.json
 expect 2 portability bad.json
 python3 -c 'print("{\"version\": " + 300000 * "[")' >deep.json
 expect 2 compare a.json deep.json
 [ "$(wc -l <err)" = 1 ] || fail "more than a line for brackets that are too deep"
 expect 2 portability deep.json
-
-# Checks the schema if the pinned Python package is installed (make python).
-python=$source/build/venv/bin/python3
-if [ -x "$python" ] && "$python" -c 'import jsonschema, referencing' 2>/dev/null; then
-    "$python" - "$source/bench/schemas" a.json study.json <<'PY'
-import json, sys, jsonschema, referencing
-schema, environment = (json.load(open(f'{sys.argv[1]}/{kind}.schema.json')) for kind in ('result', 'environment'))
-jsonschema.Draft202012Validator.check_schema(schema)
-registry = referencing.Registry().with_resource(environment['$id'], referencing.Resource.from_contents(environment))
-validator = jsonschema.Draft202012Validator(schema, registry=registry)
-for path in sys.argv[2:]:
-    validator.validate(json.load(open(path)))
-# Negative control: the schema must reject these changes.
-def refused(change):
-    result = json.load(open(sys.argv[2]))
-    change(result)
-    return not validator.is_valid(result)
-assert refused(lambda r: r['rows'][0].pop('samples'))
-assert refused(lambda r: r['rows'][0]['verification'].update(passed=0))
-assert refused(lambda r: r.update(version=1))
-assert refused(lambda r: r.update(extra=1))
-PY
-else
-    echo "the schema is not checked: run make python" >&2
-    [ -z "${MANDELMARCH_NEED_PYTHON:-}" ] || exit 1
-fi
 echo fine
