@@ -64,6 +64,34 @@ double coverage(double truth, const std::function<Interval(Random&)>& interval, 
     return static_cast<double>(held) / of;
 }
 
+// Returns n independent times from a skewed distribution with the median 1, in rising order.
+std::vector<double> skewed(Random& random, int n)
+{
+    std::lognormal_distribution<double> times(0, 0.7);
+    std::vector<double> values(static_cast<std::size_t>(n));
+    for (double& value : values) value = times(random);
+    std::ranges::sort(values);
+    return values;
+}
+
+TEST(MedianInterval, CoversTheMedianOfASkewedDistribution)
+{
+    for (const int n : {6, 9, 17, 30}) {
+        const auto interval = [&](Random& random) { return *median_interval(skewed(random, n)); };
+        EXPECT_GT(coverage(1, interval, 4000), 0.945) << n;
+    }
+}
+
+// Negative control: an interval that is narrower by one rank on either side contains the median too rarely.
+TEST(MedianInterval, IsTooNarrowWithoutARank)
+{
+    const auto narrow = [](Random& random) {
+        const std::vector<double> values = skewed(random, 9);
+        return Interval{values[2], values[6]};
+    };
+    EXPECT_LT(coverage(1, narrow, 4000), 0.945);
+}
+
 class Coverage : public testing::TestWithParam<int> {
 protected:
     int runs() const { return GetParam(); }

@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 namespace mandelmarch::bench {
 namespace {
@@ -47,40 +45,6 @@ TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
     EXPECT_FALSE(median_interval({}));
 }
 
-// Returns the fraction of samples of n values from a skewed distribution whose interval contains the true median, 1.
-template <class Interval>
-double coverage(int n, Interval interval)
-{
-    std::mt19937_64 random(11);
-    std::lognormal_distribution<double> times(0, 0.7);
-    int held = 0;
-    constexpr int studies = 4000;
-    for (int i = 0; i < studies; ++i) {
-        std::vector<double> values(static_cast<std::size_t>(n));
-        for (double& value : values) value = times(random);
-        const auto found = interval(values);
-        held += found.low <= 1 && 1 <= found.high ? 1 : 0;
-    }
-    return static_cast<double>(held) / studies;
-}
-
-TEST(Statistics, TheIntervalCoversTheMedianOfASkewedDistribution)
-{
-    for (const int n : {6, 9, 17, 30}) {
-        EXPECT_GT(coverage(n, [](const auto& values) { return *median_interval(values); }), 0.945) << n;
-    }
-}
-
-// Negative control: an interval that is narrower by one rank on either side contains the median too rarely.
-TEST(Statistics, ATooNarrowIntervalDoesNot)
-{
-    const auto narrow = [](std::vector<double> values) {
-        std::sort(values.begin(), values.end());
-        return Interval{values[2], values[values.size() - 3]};
-    };
-    EXPECT_LT(coverage(9, narrow), 0.945);
-}
-
 // An example like that in Holm's paper: the p-values 0.01, 0.04, 0.03, 0.005 become 0.03, 0.06, 0.06, 0.02.
 TEST(Statistics, Holm)
 {
@@ -109,7 +73,6 @@ TEST(Statistics, WelchByHand)
     // 2.776 is the 97.5th percentile of t with 4 degrees of freedom.
     EXPECT_NEAR(std::log(d.interval.high), 2 + 2.7764 * std::sqrt(2.0 / 3), 1e-3);
     EXPECT_GT(difference(a, b, 0.5).p, d.p) << "a margin makes a difference less sure";
-    EXPECT_EQ(difference(a, a, 0.02).p, 1);
 }
 
 TEST(Statistics, EqualNumbersDifferOrNot)
