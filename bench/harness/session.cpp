@@ -15,7 +15,6 @@
 #include "bench/machine/telemetry.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
-#include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -10,8 +10,6 @@
 
 #include "bench/base/table.h"
 #include "bench/machine/environment.h"
-#include "bench/study/cases.h"
-#include "bench/study/views.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
