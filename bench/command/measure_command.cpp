@@ -10,7 +10,10 @@
 #include "bench/command/outputs.h"
 #include "bench/files/result_file.h"
 #include "bench/print/printers.h"
+#include "bench/harness/peaks.h"
 #include "bench/harness/runs.h"
+#include "bench/harness/session.h"
+#include "bench/print/demo_table.h"
 #include "bench/study/cases.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -42,7 +45,8 @@ void list(const Registry& registry, const Options& options, bool names_only)
     if (names_only) return;
     print("\nstudies (--study NAME; with --list the rows of that one)\n");
     for (const Study& study : studies()) {
-        print("  {:<12} {}{}\n", study.name, study.about, study.axis.empty() ? "" : fmt::format(" [{}]", study.axis));
+        print("  {:<12} {}{}\n", study.name, study.about,
+              study.axes.empty() ? "" : fmt::format(" [{}]", study.axes.front().name));
     }
 }
 
@@ -124,9 +128,10 @@ Outputs::Done measured(Measurement& m, const Registry& registry, const std::vect
     for (const Row& row : m.result.rows) {
         if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
     }
+    const bool passed = !m.result.failed() && m.result.runs == runs;
     // With --benchmark_format, only data in that format goes to standard output.
-    return {m.quiet || !m.format.empty() ? std::string() : to_console(m.result, m.wide),
-            !m.result.failed() && m.result.runs == runs};
+    if (m.quiet || !m.format.empty()) return {"", passed};
+    return {m.result.study == demo_study ? demo_table(m.result) : to_console(m.result, m.wide), passed};
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 #include <array>
 
 #include "backends/openmp/profile.h"
-#include "bench/study/cases.h"
-#include "bench/study/views.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"

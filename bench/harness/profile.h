@@ -2,10 +2,7 @@
 // Measures the time of each stage of a picture, by reading a clock between the stages of openmp's scheduler.
 #pragma once
 
-#include "bench/study/options.h"
-#include "bench/result/result.h"
-#include "bench/harness/session.h"
-#include "core/render/registry.h"
+#include "bench/harness/runner.h"
 
 namespace mandelmarch::bench {
 

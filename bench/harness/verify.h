@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verification before timing: compares the picture of a configuration with the expected one.
+// Prepares configurations for timing: compares the picture of each with the expected one.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "bench/study/cases.h"
+#include "bench/harness/runner.h"
 #include "core/image/image.h"
 
 namespace mandelmarch::bench {
@@ -59,6 +60,21 @@ private:
 // Compares a picture, rendered by a backend with this role, with the expected one. Sets row.verification and, if the
 // picture is wrong, row.failure.
 void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expected);
+
+// Receives a configuration's picture, right or wrong, after its verification.
+using KeepPicture = std::function<void(const Row&, const Image&)>;
+
+// Renders the configuration's picture once and verifies it. Returns nullopt if the configuration cannot be timed;
+// one.row then holds the reason.
+std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, const KeepPicture& keep = {});
+
+// Calls verified_case() for all configurations, and returns those that can be timed.
+std::vector<TimedCase> verified_cases(std::vector<Case>& cases, const Registry& registry, const Phase& phase,
+                                      const KeepPicture& keep = {});
+
+// Renders the configuration's picture once without verifying it, for later runs of a program whose first run has
+// verified it. The caller must compare the fingerprints. Returns nullopt as verified_case() does.
+std::optional<TimedCase> unverified_case(Case& one);
 
 // Returns a hash of the picture's bytes (FNV-1a, 64 bits).
 std::uint64_t fingerprint(const Image& image);

@@ -214,8 +214,9 @@ std::vector<Ratio> to_previous_value(const Result& result)
 
 Result derived(Result result)
 {
+    const bool baselines = result.study == standard_study || result.study == demo_study;
     for (Row& row : result.rows) {
-        const bool scalar = result.study == standard_study && is_scalar(result, row);
+        const bool scalar = baselines && is_scalar(result, row);
         row.application = row.backend + (scalar ? "-scalar" : "");
         row.figures = row.timed() ? std::optional(figures_of(result, row)) : std::nullopt;
     }

@@ -17,6 +17,7 @@ inline constexpr const char* result_schema = "mandelmarch-bench";
 inline constexpr int schema_version = 2;
 // The study that compares backends and includes the baselines.
 inline constexpr std::string_view standard_study = "standard";
+inline constexpr std::string_view demo_study = "demo";  // a short one, with the same baselines
 
 // Times of one picture in the timed rounds, in seconds.
 struct Sample {

@@ -9,7 +9,6 @@
 #include <span>
 
 #include "bench/machine/environment.h"
-#include "bench/study/cases.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/extreme_scene.h"

@@ -4,21 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <memory>
+#include <mutex>
 #include <random>
-#include <thread>
 
 #include "bench/base/table.h"
 #include "bench/machine/environment.h"
-#include "bench/study/cases.h"
-#include "bench/study/views.h"
-#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/scene/random_scene.h"
+#include "flight/field/threads.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -66,33 +62,15 @@ std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Sce
 void draw_canonical(const Registry& registry, std::vector<DrawnScene>& scenes,
                     const std::function<void(double)>& progress)
 {
-    std::atomic<std::size_t> next = 0;
-    std::atomic<std::size_t> done = 0;
-    std::exception_ptr failure;
-    std::atomic_flag failed;
-    const auto work = [&](bool shows) {
-        try {
-            std::unique_ptr<Renderer> renderer;
-            const Fractal* fractal = nullptr;
-            for (std::size_t i = next++; i < scenes.size(); i = next++) {
-                const Scene& scene = scenes[i].scene;
-                if (scene.fractal != fractal) renderer = canonical_renderer(registry, scene);
-                fractal = scene.fractal;
-                renderer->render(scene, scenes[i].canonical);
-                ++done;
-                if (shows) progress(static_cast<double>(done) / static_cast<double>(scenes.size()));
-            }
-        } catch (...) {
-            if (!failed.test_and_set()) failure = std::current_exception();
-            next = scenes.size();
+    std::mutex guard;
+    std::size_t done = 0;
+    parallel(scenes.size(), 1, 0, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            canonical_renderer(registry, scenes[i].scene)->render(scenes[i].scene, scenes[i].canonical);
+            const std::scoped_lock lock(guard);
+            progress(static_cast<double>(++done) / static_cast<double>(scenes.size()));
         }
-    };
-    {
-        std::vector<std::jthread> others;
-        for (int i = 1; i < usable_threads(); ++i) others.emplace_back(work, false);
-        work(true);
-    }
-    if (failure) std::rethrow_exception(failure);
+    });
 }
 
 double share(std::uint64_t part, std::uint64_t whole)

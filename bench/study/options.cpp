@@ -8,7 +8,6 @@
 
 #include "cli/option_values.h"
 #include "core/base/error.h"
-#include "core/render/registry.h"
 
 namespace mandelmarch::bench {
 namespace {

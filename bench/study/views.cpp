@@ -17,14 +17,9 @@ void look_from(Scene& scene, const FractalStudy::CloseUp& look)
 
 }  // namespace
 
-Scene official_scene_of(std::string_view short_name, int width, int height)
-{
-    return official_scene(fractal_named(short_name), width, height);
-}
-
 std::vector<View> views_of(std::string_view short_name, int width, int height)
 {
-    const Scene official = official_scene_of(short_name, width, height);
+    const Scene official = official_scene(fractal_named(short_name), width, height);
     std::vector<View> views{{"official", official}, {"near", official}, {"far", official}, {"coarse", official}};
     views[1].scene.eye = 0.75 * official.eye;
     views[2].scene.eye = 3.0 * official.eye;

@@ -9,14 +9,13 @@
 
 namespace mandelmarch::bench {
 
-// Returns the official scene of a fractal, as in the repository's parameter file, at a size in pixels.
-Scene official_scene_of(std::string_view short_name, int width, int height);
-
 // A scene of the study box-vs-bulb. All fractals have views of the same names, "official" among them.
 struct View {
     std::string_view name;
     Scene scene;
 };
+
+// Returns the views of a fractal, at a size in pixels.
 std::vector<View> views_of(std::string_view short_name, int width, int height);
 
 }  // namespace mandelmarch::bench

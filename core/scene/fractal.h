@@ -188,10 +188,6 @@ struct FractalStudy {
         std::array<double, 3> added;
     };
     std::optional<Variant> variant{};
-    // Max percentage of the official scene's pixels that may differ visibly between exact mode and the reference
-    // backend.
-    double off_in_double = 0;
-    double off_in_float = 0;
 };
 
 struct Fractal {

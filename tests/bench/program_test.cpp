@@ -105,6 +105,21 @@ INSTANTIATE_TEST_SUITE_P(Defects, BrokenPicture,
                          testing::Values(Defect::one_byte, Defect::not_a_number, Defect::upside_down,
                                          Defect::wrong_later, Defect::stale, Defect::dies_later));
 
+// The study demo has its own table, which shows the same failures.
+TEST(BenchProgram, TheDemoShowsWrongPictures)
+{
+    const std::vector<std::string> arguments{"--study", "demo", "--size", "32x32", "--repetitions", "1"};
+    const Ran sound = run(Defect::none, arguments);
+    EXPECT_EQ(sound.code, exit_success) << sound.err;
+    EXPECT_NE(sound.out.find("mandelbox   openmp-scalar "), std::string::npos) << sound.out;
+    EXPECT_EQ(sound.out.find("FAILED"), std::string::npos) << sound.out;
+    const Ran broken = run(Defect::one_byte, arguments);
+    EXPECT_EQ(broken.code, exit_failure);
+    EXPECT_NE(broken.out.find("mandelbox   broken        double    exact FAILED: the picture is wrong"),
+              std::string::npos)
+        << broken.out;
+}
+
 TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
 {
     EXPECT_EQ(run(Defect::one_byte, small("fast")).code, exit_success);

@@ -78,6 +78,7 @@ cmp out a.csv || fail "csv makes other lines than --csv"
 expect 2 "${quick[@]}" --json nosuch/x.json
 ! grep -q verif err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
+expect 2 "${quick[@]}" --json /tmp
 expect 2 "${quick[@]}" --json - --benchmark_format=csv
 expect 2 "${quick[@]}" --json x.json --csv x.json
 expect 2 "${quick[@]}" --json .

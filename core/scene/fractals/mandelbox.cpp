@@ -173,7 +173,7 @@ constexpr Fractal descriptors::mandelbox{
                .measures = measures,
                .bars = bars},
     .random = {.extent = 4, .nearest = 3, .farthest = 14, .shape = random_shape, .extreme_shape = extreme_shape},
-    .study = {.iterations = iterations, .close_up = close_up, .off_in_float = 1},
+    .study = {.iterations = iterations, .close_up = close_up},
 };
 
 }  // namespace mandelmarch

@@ -134,7 +134,7 @@ constexpr Fractal descriptors::mandelbulb{
                .worth_searching = worth_searching},
     .random = {.extent = 1.2, .nearest = 1.1, .farthest = 2.5, .shape = random_shape, .extreme_shape = extreme_shape},
     // In some pixels the picture depends on the last bit of trigonometric functions.
-    .study = {.close_up = close_up, .variant = angles, .off_in_double = 0.01, .off_in_float = 0.1},
+    .study = {.close_up = close_up, .variant = angles},
 };
 
 }  // namespace mandelmarch
