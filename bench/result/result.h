@@ -18,6 +18,8 @@ inline constexpr int schema_version = 2;
 // The study that compares backends and includes the baselines.
 inline constexpr std::string_view standard_study = "standard";
 inline constexpr std::string_view demo_study = "demo";  // a short one, with the same baselines
+// Each configuration of a fractal differs from the one before in one thing, and is compared with it.
+inline constexpr std::string_view ladder_study = "ladder";
 
 // Times of one picture in the timed rounds, in seconds.
 struct Sample {
@@ -165,8 +167,8 @@ struct Questions {
     std::vector<Ratio> box_to_bulb;        // Mandelbox / Mandelbulb, on the same device
     std::vector<Ratio> double_to_float;    // on the same device
     std::vector<Ratio> others_to_host;     // each other backend / the host's; the reference is left out
-    std::vector<Ratio> to_first_value;     // sweeps: each later value / the first value
-    std::vector<Ratio> to_previous_value;  // sweeps: each later value / the last one before it with its aspect ratio
+    std::vector<Ratio> to_first_value;     // sweeps and the ladder: each later value / the first value
+    std::vector<Ratio> to_previous_value;  // the same: each later value / the last one before it with its aspect ratio
 };
 
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON does not throw, which the check cannot see

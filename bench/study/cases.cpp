@@ -188,10 +188,13 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     });
     for (Case& one : cases) realise(one, options.picture_size());
     cases.insert(cases.end(), without_device.begin(), without_device.end());
-    // Sort into the order of the table: all backends for one picture together, and unavailable backends at the end.
-    std::ranges::stable_sort(cases, {}, [](const Case& one) {
+    // Sort into the order of the table: all backends for one picture together, or all rungs of a fractal's ladder, and
+    // unavailable backends at the end.
+    std::ranges::stable_sort(cases, {}, [&](const Case& one) {
         const auto fractal = one.backend == nullptr ? fractals().data() + fractals().size() : one.scene.fractal;
-        return std::tuple(fractal - fractals().data(), one.row.precision, one.row.mode);
+        const auto index = fractal - fractals().data();
+        if (study.name == ladder_study) return std::tuple(index, Precision{}, Mode{});
+        return std::tuple(index, one.row.precision, one.row.mode);
     });
     return cases;
 }

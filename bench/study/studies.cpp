@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -86,6 +87,48 @@ bool in_demo(const Case& one)
     return one.row.device == 0 && (is_swept(one.backend->info()) || one.row.precision == Precision::f64);
 }
 
+// A rung of the ladder from the serial reference to the fastest picture. Techniques make estimates fewer.
+struct Rung {
+    std::string_view name;
+    Role role;
+    Precision precision;
+    Mode mode;
+    int threads, simd_width;  // 0: automatic
+    std::string_view without;
+};
+constexpr std::string_view techniques = "hull,relaxation,cones,neighbours,trial,tail";
+constexpr Rung rungs[] = {
+    {"reference", Role::reference, Precision::f64, Mode::exact, 0, 0, ""},
+    {"text", Role::host, Precision::f64, Mode::exact, 1, 1, techniques},
+    {"float", Role::host, Precision::f32, Mode::exact, 1, 1, techniques},
+    {"simd", Role::host, Precision::f32, Mode::exact, 1, 0, techniques},
+    {"operations", Role::host, Precision::f32, Mode::fast, 1, 0, techniques},
+    {"estimates", Role::host, Precision::f32, Mode::fast, 1, 0, ""},
+    {"threads", Role::host, Precision::f32, Mode::fast, 0, 0, ""},
+};
+
+Points rungs_of(const Case& so_far)
+{
+    Points points;
+    for (const Rung& rung : rungs) {
+        if (rung.role != so_far.backend->info().role) continue;
+        points.push_back({std::string(rung.name), [rung](Case& one) {
+                              one.row.setting.threads = rung.threads;
+                              one.row.setting.simd_width = rung.simd_width;
+                              one.row.setting.without = rung.without;
+                          }});
+    }
+    return points;
+}
+
+bool on_a_rung(const Case& one)
+{
+    return std::ranges::any_of(rungs, [&](const Rung& rung) {
+        return one.row.sweep_value == fmt::format("rung={}", rung.name) && one.row.precision == rung.precision &&
+               one.row.mode == rung.mode;
+    });
+}
+
 std::vector<Study> all_studies()
 {
     return {
@@ -140,6 +183,15 @@ std::vector<Study> all_studies()
         {.name = "box-vs-bulb",
          .about = "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes",
          .axes = {{"scene", scenes}}},
+        {.name = ladder_study,
+         .about = "from the reference to the fastest picture, one change at a time",
+         .axes = {{"rung", rungs_of}},
+         .measures = [](const BackendInfo& info) { return info.role == Role::reference || is_host(info); },
+         .keeps = on_a_rung,
+         .modes = both_modes,
+         .counts = false,
+         .peaks = false,
+         .row_budget = 30},  // the reference needs seconds for a picture
         {.name = demo_study,
          .about = "the standard study, in a minute: one device per backend, few rounds; bin/demo",
          .measures = any_backend,
