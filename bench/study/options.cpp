@@ -26,15 +26,6 @@ std::string_view name_of_fractal(const Fractal* fractal) { return fractal->short
 
 }  // namespace
 
-std::vector<const Fractal*> default_fractals()
-{
-    std::vector<const Fractal*> studied;
-    for (const Fractal& fractal : fractals()) {
-        if (fractal.in_default_study) studied.push_back(&fractal);
-    }
-    return studied;
-}
-
 bool Options::selects(std::string_view backend) const
 {
     return backends.empty() || std::ranges::find(backends, backend) != backends.end();

@@ -10,12 +10,10 @@
 #include <vector>
 
 #include "bench/study/studies.h"
+#include "bench/study/views.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::bench {
-
-// Returns the fractals that are studied by default.
-std::vector<const Fractal*> default_fractals();
 
 struct Options {
     const Study* study = &studies().front();

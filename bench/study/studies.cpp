@@ -43,7 +43,7 @@ Points sizes(const Case& /*so_far*/)
 
 Points iterations(const Case& so_far)
 {
-    const auto& values = so_far.scene.fractal->study.iterations;
+    const auto& values = study_of(*so_far.scene.fractal).iterations;
     return each(&Setting::iterations, {values.begin(), values.end()})(so_far);
 }
 

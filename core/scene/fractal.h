@@ -90,7 +90,6 @@ Vector upward(Vector place, Vector up);                                  // away
 void no_tail(const Scene& scene, FractalConstants<double>& constants);   // unchanged
 void same_shape(Scene& scene, SceneRandom& chance, bool even);           // unchanged
 void same_extreme_shape(Scene& scene, SceneRandom& chance);              // unchanged
-inline constexpr std::array iterations{2, 4, 8, 16, 32, 64, 100};
 }  // namespace defaults
 
 inline constexpr double sphere_corner = 1;
@@ -117,23 +116,6 @@ struct FractalFast {
     double neighbour_pitch = 0;
 };
 
-// Parameters for planning a tour. Lengths are fractions of the size of the fractal's bounds; a clearance is the
-// estimated distance from the surface.
-struct FlightMeasures {
-    double roads = 0.012;        // min clearance of the balls of free space through which a tour is planned
-    double gate_least = 0.0040;  // min clearance of a gate, a narrow passage
-    double gate_most = 0.02;     // max clearance of a gate
-    double pace = 0.19;          // speed, in clearances per frame
-};
-
-// Limits that the audit of a flight checks.
-struct FlightBars {
-    double step = 0.2;     // max step of the camera, in clearances per frame
-    double aside = 10;     // max percentage of frames that look more than 60 degrees away from the motion
-    double passages = 12;  // min number of passages per 7200 frames
-    double planning = 20;  // max seconds of planning
-};
-
 // Properties of a fractal for planning flights.
 struct FractalFlight {
     // Returns the min magnification of an iteration. Features that iteration n adds have about growth^-n times the
@@ -158,8 +140,6 @@ struct FractalFlight {
     bool (*worth_searching)(const Scene& scene, const Bounds& body, Vector p) = defaults::worth_searching;
     // Returns a unit vector, the upward direction of a level camera at `place`. `up` is the camera's up vector.
     Vector (*upward)(Vector place, Vector up) = defaults::upward;
-    FlightMeasures measures{};
-    FlightBars bars{};
 };
 
 // Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). Both functions change the shape that the
@@ -174,28 +154,11 @@ struct FractalRandom {
     std::optional<std::array<double, 4>> plain{};
 };
 
-// A fractal's parameters for the program bench.
-struct FractalStudy {
-    std::span<const int> iterations = defaults::iterations;  // numbers of iterations that a study compares
-    // A view that is filled by the surface, for the study box-vs-bulb.
-    struct CloseUp {
-        Vector eye, target, up;
-    };
-    std::optional<CloseUp> close_up{};
-    // Another scene of that study: the official one, with `added` added to its shape.
-    struct Variant {
-        std::string_view name;
-        std::array<double, 3> added;
-    };
-    std::optional<Variant> variant{};
-};
-
 struct Fractal {
-    std::string_view name;          // also the stem of the names of its files
-    std::string_view short_name;    // alternative name on command lines
-    int list_order = 1000;          // lists of fractals are sorted by this number, then by name
-    bool in_default_study = false;  // bench includes the fractal by default; the build system reads this line, too
-    std::string_view official;      // text of the parameter file of its official scene
+    std::string_view name;        // also the stem of the names of its files
+    std::string_view short_name;  // alternative name on command lines
+    int list_order = 1000;        // lists of fractals are sorted by this number, then by name
+    std::string_view official;    // text of the parameter file of its official scene
     std::array<ParameterInfo, 3> shape;
     ParameterInfo escape;
     // Returns what is wrong with the combination of the three values of line 7, or "" if nothing is.
@@ -207,7 +170,6 @@ struct Fractal {
     FractalFast fast{};
     FractalFlight flight{};
     FractalRandom random;
-    FractalStudy study{};
 };
 
 // Returns the registered fractals, sorted by list_order, then by name.

@@ -14,6 +14,7 @@
 #include "flight/audit/runs.h"
 #include "flight/audit/views.h"
 #include "flight/field/threads.h"
+#include "flight/path/measures.h"
 
 namespace mandelmarch {
 namespace {
@@ -34,9 +35,9 @@ public:
 
     void promises()
     {
-        const FlightBars& bars = path_.scene.fractal->flight.bars;
+        const FlightMeasures::Limits& limits = flight_measures(*path_.scene.fractal).limits;
         solids();
-        steps(bars.step);
+        steps(limits.step);
         if (runs_.changes()) walls();
         turns();
         standing();
@@ -44,15 +45,15 @@ public:
 
     void quality()
     {
-        const FlightBars& bars = path_.scene.fractal->flight.bars;
+        const FlightMeasures::Limits& limits = flight_measures(*path_.scene.fractal).limits;
         nearness();
         inside();
         const auto field = [this](std::size_t frame) -> const DistanceField& { return runs_.field(frame); };
         const auto passages = distinct_passages(field, places_, clearances_);
         add({"distinct passages", static_cast<double>(passages.size()),
-             std::floor(bars.passages * seconds(places_.size()) / official_seconds), false, false, "", ""});
+             std::floor(limits.passages * seconds(places_.size()) / official_seconds), false, false, "", ""});
         add({"frames at the cap on turning", percent(turned_at_cap_), 10, true, false, "%", ""});
-        gazes(bars.aside);
+        gazes(limits.aside);
         for (Row& row : jerk_rows(path_, clearances_)) add(std::move(row));
         add(level_row(path_));
         views();
@@ -210,7 +211,7 @@ Audit audit(const Path& path, int threads, double planning, int stride)
     auditor.promises();
     auditor.quality();
     if (planning > 0)
-        auditor.add({"planning", planning, path.scene.fractal->flight.bars.planning, true, false, "s", ""});
+        auditor.add({"planning", planning, flight_measures(*path.scene.fractal).limits.planning, true, false, "s", ""});
     return auditor.take();
 }
 

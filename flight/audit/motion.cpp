@@ -7,6 +7,7 @@
 
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
+#include "flight/path/measures.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {
@@ -77,7 +78,7 @@ std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
         const Vector second = turned[i] - 2.0 * turned[i - 1] + turned[i - 2];
         angular.push_back(length(second) * cube * 180 / std::numbers::pi);
     }
-    const double pace = path.scene.fractal->flight.measures.pace * frames_per_second;
+    const double pace = flight_measures(*path.scene.fractal).pace * frames_per_second;
     const double bar = most_jerk * pace * pace * pace;
     return {{"jerk, 95 of 100 frames", percentile_95(std::move(jerk)), bar, true, false, "DE/s^3", ""},
             {"angular jerk, 95 of 100 frames", percentile_95(std::move(angular)), most_angular_jerk, true, false,

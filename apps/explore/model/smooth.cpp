@@ -8,6 +8,7 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/motion.h"
 #include "flight/field/field.h"
+#include "flight/path/measures.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -74,7 +75,7 @@ std::vector<double> needed(const Path& path)
 {
     const std::vector<double> turns = turns_of(path);
     const DistanceField field(scene_of(path, path.frames.front(), 16, 9), 1);
-    const double bar = most_step * path.scene.fractal->flight.bars.step;
+    const double bar = most_step * flight_measures(*path.scene.fractal).limits.step;
     std::vector<double> frames(path.frames.size() - 1, 1);
     double before = field.distance(path.frames.front().eye);
     for (std::size_t i = 1; i < path.frames.size(); ++i) {
