@@ -17,7 +17,7 @@ job::Chains* chains(std::string_view precision);
 
 namespace {
 
-// Uses as many threads as the process may use, unless KOKKOS_NUM_THREADS is set.
+// Returns settings with as many threads as the process may use. Kokkos prefers KOKKOS_NUM_THREADS, if it is set.
 auto settings()
 {
 #if KOKKOS_VERSION >= 30700

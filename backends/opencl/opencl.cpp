@@ -59,7 +59,7 @@ private:
                        .pixels_to_fill = session_->is_cpu ? busy_cpu : pixels_of_gpu(items_of_unit * units())},
                       options_.band);
         const std::int64_t pixels = std::int64_t{rows_per_band(scene, limits)} * scene.width;
-        // Allocated separately, so that it can be left in use if the device hangs.
+        // Allocated on the heap, so that it can be abandoned while a device that hangs still uses it.
         auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels,
                                                              bytes_alone(image, options_));
         double build_seconds = 0;
@@ -179,7 +179,7 @@ public:
     std::optional<std::string> unavailable() const override
     {
         if (!all_devices().empty()) return std::nullopt;
-        return "no OpenCL device (is a driver installed, pocl-opencl-icd for the CPU, say?)";
+        return "no OpenCL device: no driver is installed, such as pocl-opencl-icd for the CPU, or it has no device";
     }
 
     std::vector<Device> devices() const override

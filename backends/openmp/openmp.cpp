@@ -136,8 +136,8 @@ double kibibytes(const char* text)
     }
 }
 
-// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE sets the stacks too small for packs of rays. The threads would
-// crash.
+// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE makes the threads' stacks too small for packs of rays, which
+// would crash the program.
 void check_stack_size()
 {
     for (const char* name : {"OMP_STACKSIZE", "GOMP_STACKSIZE"}) {
@@ -229,7 +229,7 @@ double measured_peak(Precision precision, int threads)
             sum += kernel.run(rounds);
         }
         // If OMP_THREAD_LIMIT or OMP_DYNAMIC makes the team smaller than requested, it does only a part of the work.
-        // The time is scaled to that of the whole work.
+        // The measured time is therefore scaled to all of the work.
         const double seconds = seconds_since(start) * asked / team;
         if (!(sum > 0)) throw Error("backend openmp: the multiply-add kernel computes nonsense");
         return seconds;

@@ -14,9 +14,9 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Selected by how much pictures change (docs/notes/experiments.md).
+// Conditions for sharing, selected by how much sharing changes pictures (docs/notes/experiments.md).
 constexpr MM_REAL same_surface = MM_REAL(0.02);  // max relative difference of the depths of pixels on one surface
-constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of along_normal + sunwards between the neighbours
+constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of along_normal + sunwards among the neighbours
 constexpr int enough = 2;                        // min number of neighbours, of four, on the pixel's surface
 
 // The four pixels in even columns and rows that surround each lane's pixel. Some of the four can be the same.

@@ -23,7 +23,7 @@ enum class Place { device, host };
 
 // How long finished work took, in seconds.
 struct Took {
-    double host = 0;                    // from the submission until the host learns of the end
+    double host = 0;                    // from the submission until the host detects the end
     std::optional<double> device = {};  // by the device's clock; nullopt if it has none
 };
 
@@ -66,7 +66,7 @@ private:
     vk::raii::CommandBuffer commands_ = nullptr;
     vk::raii::Fence fence_ = nullptr;
     vk::raii::QueryPool clock_ = nullptr;  // the two timestamps, at the start and end of work; null: no clock
-    std::uint64_t clock_mask_ = 0;         // mask of the valid bits of a timestamp
+    std::uint64_t clock_mask_ = 0;         // the valid bits of a timestamp
     bool recording_ = false;
 };
 

@@ -157,7 +157,7 @@ private:
             buffers.push_back(gpu.make_buffer(sizeof(KernelScene<Real>), Place::device, "the scene"));
             buffers.push_back(gpu.make_buffer(ray_size(sizeof(Real)) * pixels, Place::device, "rays"));
             buffers.push_back(gpu.make_buffer(size, shared ? Place::host : Place::device, "pixels"));
-            if (!shared) buffers.push_back(gpu.make_buffer(size, Place::host, "the pixels' way back"));
+            if (!shared) buffers.push_back(gpu.make_buffer(size, Place::host, "copies of the pixels"));
             held_ = pixels;
         }
         const Buffer* results = &buffers[result_buffer];
