@@ -45,7 +45,7 @@ Settings read_settings(const std::string& file, std::string& said)
         read.statistics = json.value("statistics", read.statistics);
         return read;
     } catch (const Json::exception&) {
-        said = file + ": it is no file of settings, the usual ones are taken";
+        said = file + ": it is no file of settings, so the defaults are used";
         return settings;
     }
 }

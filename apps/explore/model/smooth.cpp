@@ -14,7 +14,7 @@ namespace mandelmarch::explore {
 namespace {
 
 constexpr double tremor = 9;        // frames; standard deviation of the smoothing Gaussian
-constexpr double room = 0.6;        // smallest clearance of a smoothed position, in clearances of the original one
+constexpr double room = 0.6;        // smallest clearance of a smoothed position, as a fraction of the original one's
 constexpr double most_step = 0.85;  // largest step between frames, as a fraction of the audit's limit
 constexpr double most_turn = 1.0;   // degrees per frame; largest turn. The audit's limit is 1.2
 constexpr int retimings = 4;        // number of passes that reduce steps and turns

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A task in the background. It runs in a detached thread, which may be abandoned; its result is polled.
+// A task in the background. It runs in a detached thread, which may be abandoned. The caller polls for the result.
 #pragma once
 
 #include <chrono>
@@ -41,7 +41,8 @@ private:
     std::future<Result> result_;
 };
 
-// Returns once the result of a task or, after `name`, the message of its failure. Returns "" at all other times.
+// Returns the result of a task or, after `name`, the message of its failure, once after the task has ended; otherwise
+// "".
 inline std::string news_of(Task<std::string>& task, const std::string& name)
 {
     std::string failure;

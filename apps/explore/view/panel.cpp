@@ -140,7 +140,7 @@ void device_list(Model& model)
     ImGui::EndCombo();
 }
 
-// Shows two radio buttons. `other`: the setup if the one that is off is chosen.
+// Shows two radio buttons. `other`: the setup to use if the user chooses the button that is off.
 void two_choices(Model& model, const char* first, const char* second, bool is_first, const Setup& other)
 {
     if (ImGui::RadioButton(first, is_first) && !is_first) model.change(other);
