@@ -110,7 +110,7 @@ bool goes_to_stdout(const std::string& file)
 }
 
 // Audits the path, prints the result and writes it to the file of --json, if given. Prints to stdout, or to stderr if
-// an output file goes to stdout. Returns true if every promise is kept.
+// an output file goes to stdout. Returns true if every promise (a hard limit) is kept.
 bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend,
                 const RendererOptions& renderer)
 {

@@ -237,7 +237,8 @@ void warn_unsettled(const char* program, double off, Precision precision)
         100 * off, precision == Precision::f32 ? "float's digits are too few (--precision double has more) or " : "");
 }
 
-// Prints the trace of a pixel's ray. In fast mode, a trial on the backend first chooses the step factor.
+// Prints the trace of a pixel's ray. In fast mode, a trial render on the backend first chooses the step factor
+// (core/render/trial.h).
 void print_trace(const char* program, const Options& options, const Registry& registry, Scene scene)
 {
     const std::string expected = fmt::format("X,Y of a pixel, from 0,0 at the bottom left to {},{} at the top right",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traces one pixel's ray step by step with the scalar kernel.
+// Traces one pixel's ray step by step with the scalar kernel (the kernel in plain C++, one pixel at a time).
 #pragma once
 
 #include <array>

@@ -161,8 +161,8 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     const bool exact_float = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     build.options = fmt::format("-cl-std=CL1.2 {} -DMM_REAL_IS_FLOAT={:d} -DMM_LANES={}",
                                 exact ? MANDELMARCH_OPENCL_EXACT : MANDELMARCH_OPENCL_FAST, is_float, build.lanes);
-    // OpenCL allows errors of 2.5 ulp in a float division and 3 ulp in a float square root. Computed in double and
-    // rounded once to float, both are exact.
+    // OpenCL allows errors of 2.5 ulp in a float division and 3 ulp in a float square root. If they are computed in
+    // double and then rounded to float, the results are correctly rounded.
     if (is_float && exact && exact_float) {
         build.options += " " MANDELMARCH_OPENCL_DIVISION;
     } else if (is_float && exact && has_double) {

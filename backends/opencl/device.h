@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenCL C++ bindings, version 1.2, with errors as exceptions; the devices of all platforms, and their
-// capabilities.
+// The devices of all OpenCL platforms, and how the kernel is compiled for each. Includes the OpenCL C++ bindings,
+// version 1.2, with errors as exceptions.
 #pragma once
 
 #include <optional>

@@ -109,7 +109,7 @@ private:
     }
 
     static constexpr std::int64_t busy_cpu = 1 << 17;  // pixels
-    // OpenCL does not report how many work items a compute unit holds; 2048 is the value of NVIDIA's GPUs.
+    // OpenCL does not report how many work items a compute unit holds; 2048 is the value of many NVIDIA GPUs.
     static constexpr std::int64_t items_of_unit = 2048;
 
     RendererOptions options_;

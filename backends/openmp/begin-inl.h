@@ -42,7 +42,7 @@ HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
 }
 
 // Depths of the pixels at the corners of a square's cells, row by row. They are rendered before the pixels inside the
-// cells. A side has one more corner than cells. Corners outside the picture have the depth unclear_miss().
+// cells. A side has one more corner than cells. Corners outside the band have the depth unclear_miss().
 template <int across>
 struct Neighbours {
     MM_REAL at[across + 1][across + 1];

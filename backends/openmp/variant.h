@@ -62,7 +62,7 @@ struct Canvas {
     int end_row;
     std::ptrdiff_t pixels;  // per plane
     Real spacing;           // distance of diagonally adjacent rays at distance 1 from the camera
-    bool cones;             // subtiles begin with cones
+    bool cones;             // subtiles begin with cones (cones-inl.h)
     Real block_hull;        // size of the enlarged hull for subtiles (spacing.h); 0: none
     Lattice lattice;        // pixels to render, counted from first_row
     Real* block_start;      // for each subtile, a t before which none of its rays hits

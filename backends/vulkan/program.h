@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A module on a device, with its pipelines, which are created on first use, and the binding of its buffers.
+// Shader programs on a device: SPIR-V modules, and the pipelines made of them, which are created on first use.
 #pragma once
 
 #include <array>

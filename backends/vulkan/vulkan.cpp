@@ -106,7 +106,7 @@ private:
                            .device = gpu.info().device,
                            .precision = options_.precision,
                            .mode = options_.mode,
-                           // lavapipe does not report its number of threads, but they have names.
+                           // lavapipe does not report its number of threads, so they are counted by their names.
                            .threads = gpu.info().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
                            .instruction_set = instruction_set_,
                            .timings = {},

@@ -24,8 +24,8 @@ public:
 
     bool running() const { return result_.valid(); }
 
-    // Returns the result once after the task has ended. Returns nullopt while the task is running or if there is none;
-    // also if it has failed, and then sets `failure` to the error's message.
+    // Returns the result once after the task has ended. Returns nullopt while the task is running or if there is none.
+    // If the task has failed, returns nullopt and sets `failure` to the error's message.
     std::optional<Result> take(std::string& failure)
     {
         if (!running() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;

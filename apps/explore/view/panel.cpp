@@ -19,7 +19,7 @@ constexpr float width_in_letters = 44;   // width of the panel
 constexpr float most_of_window = 0.55F;  // largest fraction of the window's width for the panel
 constexpr float graph_height = 48;       // pixels
 
-// The items that edit the scene. Each shows a number of `scene`, which is a copy of the view's.
+// The items that edit the scene. Each shows a property of `scene`, which is a copy of the view's scene.
 class SceneItems {
 public:
     explicit SceneItems(Model& model) : scene(model.view.scene()), model_(model) {}
