@@ -103,14 +103,14 @@ std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision)
             case Found::quotients: break;
             case Found::contraction:
                 throw Unavailable(
-                    fmt::format("backend vulkan: {}: it fuses products and sums of {} that are to be rounded one by "
-                                "one, --mode fast may do",
+                    fmt::format("backend vulkan: {}: it fuses products and sums of {}, which exact mode "
+                                "rounds one by one, expected --mode fast",
                                 gpu.name(), name_of(precision)));
         }
     }
     throw Unavailable(
-        fmt::format("backend vulkan: {}: its {} division and square root are not exact, --mode fast may do", gpu.name(),
-                    name_of(precision)));
+        fmt::format("backend vulkan: {}: its {} division and square root are not exact, expected --mode fast",
+                    gpu.name(), name_of(precision)));
 }
 
 }  // namespace mandelmarch::vulkan
