@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/base/memory.h"
 #include "core/render/agreement.h"
 #include "core/scene/fractal.h"
@@ -156,12 +157,7 @@ void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expe
     }
 }
 
-std::uint64_t fingerprint(const Image& image)
-{
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const std::uint8_t byte : image.bytes()) hash = (hash ^ byte) * 0x100000001b3;
-    return hash;
-}
+std::uint64_t fingerprint(const Image& image) { return fnv1a(image.bytes().data(), image.bytes().size()); }
 
 std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, const KeepPicture& keep)
 {
