@@ -23,10 +23,8 @@ void check_memory(const Scene& scene)
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
     const std::uint64_t needed =
         pixels * (3 * Image::bytes_per_pixel(Image::Layers::all) + Image::bytes_per_pixel(Image::Layers::bytes));
-    if (const std::uint64_t available = available_memory(); needed > available) {
-        throw Unavailable(fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available", scene.width,
-                                      scene.height, needed >> 20, available >> 20));
-    }
+    const std::string lack = memory_shortage(fmt::format("{} x {} pixels", scene.width, scene.height), needed);
+    if (!lack.empty()) throw Unavailable(lack);
 }
 
 void describe(Row& row, const RenderStats& report)
