@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/quantile.h"
+
 namespace mandelmarch {
 namespace {
 
@@ -98,11 +100,7 @@ double DepthView::middle_hit_share() const
 Dullness DepthView::dullness(double clearance) const
 {
     if (hit_share() < least_hits) return Dullness::empty;
-    std::array<float, view_pixels> sorted = depth;
-    std::ranges::sort(sorted);
-    const auto at = [&](double share) {
-        return static_cast<double>(sorted[static_cast<std::size_t>(share * (view_pixels - 1))]);
-    };
+    const auto at = [&](double share) { return static_cast<double>(quantile(depth, share)); };
     if (at(filling) < near_wall * clearance) return Dullness::wall;
     return at(0.975) < one_depth * at(0.025) ? Dullness::one_depth : Dullness::lively;
 }
@@ -146,10 +144,7 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
         const auto [u2, v2] = place_in(after, seen_after);
         moved.push_back(0.5 * std::hypot((u2 - u) * view_width / view_height, v2 - v));
     }
-    if (moved.empty()) return 0;
-    const auto middle = moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2);
-    std::ranges::nth_element(moved, middle);
-    return *middle;
+    return moved.empty() ? 0 : upper_median(moved);
 }
 
 double median_motion(const DepthView& seen, const Frame& from, const Frame& to)
@@ -211,9 +206,7 @@ Row motion_row(const Path& path, const Seen& seen)
         moved.push_back(median_motion(seen.views[v], path.frames[frame], path.frames[frame + 1]));
     }
     if (moved.empty()) moved.push_back(0);
-    std::vector<double> sorted = moved;
-    std::ranges::sort(sorted);
-    const double median = sorted[sorted.size() / 2];
+    const double median = upper_median(moved);
     const auto fine = std::ranges::count_if(moved, [&](double m) { return m >= median / 3 && m <= 3 * median; });
     return {"frames with apparent motion within 3 times its median",
             100.0 * static_cast<double>(fine) / static_cast<double>(moved.size()),
