@@ -75,8 +75,8 @@ std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
     }
     const double pace = flight_measures(*path.scene.fractal).pace * frames_per_second;
     const double bar = most_jerk * pace * pace * pace;
-    return {{"jerk, 95 of 100 frames", percentile_95(jerk), bar, true, false, "DE/s^3", ""},
-            {"angular jerk, 95 of 100 frames", percentile_95(angular), most_angular_jerk, true, false, "deg/s^3", ""}};
+    return {{"jerk, 95 of 100 frames", percentile_95(jerk), bar, true, false, "DE/s^3"},
+            {"angular jerk, 95 of 100 frames", percentile_95(angular), most_angular_jerk, true, false, "deg/s^3"}};
 }
 
 Row level_row(const Path& path)
@@ -90,7 +90,7 @@ Row level_row(const Path& path)
         held += std::abs(tilt.angle) < level * std::numbers::pi / 180 ? 1 : 0;
     }
     const double share = horizons > 0 ? 100.0 * static_cast<double>(held) / static_cast<double>(horizons) : 100;
-    return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%", ""};
+    return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%"};
 }
 
 std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,

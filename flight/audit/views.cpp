@@ -67,7 +67,7 @@ Row longest_row(const char* name, double bar, const Seen& seen, std::size_t stri
         }
     }
     const double seconds = static_cast<double>(longest * stride) / seen.frames_per_second;
-    return {name, seconds, bar, true, false, "s", longest > 0 ? at_frame(where) : ""};
+    return {name, seconds, bar, true, false, "s", longest > 0 ? std::optional(where) : std::nullopt};
 }
 
 }  // namespace
@@ -214,6 +214,7 @@ Row motion_row(const Path& path, const Seen& seen)
             false,
             false,
             "%",
+            {},
             fmt::format("median {:.2f} % of the height a frame", 100 * median)};
 }
 
@@ -230,7 +231,7 @@ std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances,
                                 ? fmt::format("empty {:.1f} %, one depth {:.1f} %, a wall {:.1f} %",
                                               share(Dullness::empty), share(Dullness::one_depth), share(Dullness::wall))
                                 : "";
-    return {{"dull frames", dull, 3, true, false, "%", why},
+    return {{"dull frames", dull, 3, true, false, "%", {}, why},
             longest_row("longest time of dull frames on end", 1, seen, stride,
                         [&](std::size_t v) { return dullness[v] != Dullness::lively; })};
 }
@@ -240,7 +241,7 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
     const auto sky =
         std::ranges::count_if(seen.views, [](const DepthView& view) { return view.hit_share() < much_sky; });
     const double share = 100.0 * static_cast<double>(sky) / static_cast<double>(seen.views.size());
-    return {{"frames under 40 % of which something is hit", share, 10, true, false, "%", ""},
+    return {{"frames under 40 % of which something is hit", share, 10, true, false, "%"},
             longest_row("longest time with the subject at the edge only", 2, seen, stride,
                         [&](std::size_t v) { return seen.views[v].middle_hit_share() < shown; })};
 }
@@ -266,7 +267,7 @@ Row again_row(const Seen& seen)
             break;
         }
     }
-    return {"the same view again within a minute", static_cast<double>(again), 0, true, false, "", first};
+    return {"the same view again within a minute", static_cast<double>(again), 0, true, false, "", {}, first};
 }
 
 }  // namespace mandelmarch
