@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "core/base/environment.h"
 #include "core/base/hash.h"
 #include "core/base/output_file.h"
 
@@ -29,11 +29,11 @@ constexpr std::array<char, 8> magic{'m', 'm', 'v', 'k', 'c', 'a', '0', '1'};
 std::string cache_folder()
 {
     // The XDG Base Directory Specification requires that an empty or relative path is ignored.
-    if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') {
-        return std::string(xdg) + "/mandelmarch";
+    if (const std::string xdg = environment_variable("XDG_CACHE_HOME"); xdg.starts_with('/')) {
+        return xdg + "/mandelmarch";
     }
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
-        return std::string(home) + "/.cache/mandelmarch";
+    if (const std::string home = environment_variable("HOME"); home.starts_with('/')) {
+        return home + "/.cache/mandelmarch";
     }
     return {};
 }
