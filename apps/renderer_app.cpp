@@ -197,11 +197,9 @@ void check_memory(const Drawing& drawing, ImageFormat format, bool stream)
     const std::uint64_t per_pixel =
         Image::bytes_per_pixel(layers_of(format)) + (stream && format == ImageFormat::exr ? exr_stream_memory : 0);
     const std::uint64_t needed = pixels * per_pixel + fixed_memory;
-    const std::uint64_t available = available_memory();
-    if (needed <= available) return;
-    throw InputError(fmt::format(
-        "{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size, or regions (--region)",
-        drawing.region.width, drawing.region.height, needed >> 20, available >> 20));
+    const std::string size = fmt::format("{} x {} pixels", drawing.region.width, drawing.region.height);
+    const std::string lack = memory_shortage(size, needed);
+    if (!lack.empty()) throw InputError(lack + ", expected a smaller size, or regions (--region)");
 }
 
 std::pair<Image, RenderStats> draw(Renderer& renderer, const Drawing& drawing, double eyes, Image::Layers layers,

@@ -40,7 +40,6 @@ public:
     {
         return {.has_driver = true,
                 .block_size = true,
-                .variables = {"CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE", "CUDA_DEVICE_ORDER"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override

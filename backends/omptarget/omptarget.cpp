@@ -97,8 +97,6 @@ public:
     {
         return {.has_driver = true,
                 .threads = true,
-                .variables = {"OMP_TARGET_OFFLOAD", "OMP_DEFAULT_DEVICE", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT",
-                              "OMP_PROC_BIND", "OMP_PLACES", "CUDA_VISIBLE_DEVICES"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override

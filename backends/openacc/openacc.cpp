@@ -47,7 +47,6 @@ public:
     {
         return {.role = Role::accelerator,
                 .has_driver = true,
-                .variables = {"ACC_DEVICE_TYPE", "ACC_DEVICE_NUM", "CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return {openacc::drawing, openacc::chains}; }

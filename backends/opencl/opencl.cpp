@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "backends/opencl/executor.h"
+#include "core/base/environment.h"
 #include "core/base/files.h"
 #include "core/render/peak.h"
 #include "core/scene/fractal.h"
@@ -160,7 +160,6 @@ public:
                 .simd_width = true,
                 .band = true,
                 .block_size = true,
-                .variables = {"POCL_MAX_PTHREAD_COUNT", "POCL_DEVICES", "POCL_AFFINITY", "OCL_ICD_VENDORS"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
 
@@ -168,8 +167,8 @@ public:
     std::vector<InstalledDriver> installed_drivers() const override
     {
         std::vector<InstalledDriver> found;
-        const char* vendors = std::getenv("OCL_ICD_VENDORS");
-        for (const std::string& path : files_in(vendors != nullptr ? vendors : "/etc/OpenCL/vendors")) {
+        const std::string vendors = environment_variable("OCL_ICD_VENDORS");
+        for (const std::string& path : files_in(vendors.empty() ? "/etc/OpenCL/vendors" : vendors)) {
             found.push_back({"opencl", path, first_line(path), ""});
         }
         found.push_back({"loader", "libOpenCL.so.1", "libOpenCL.so.1", ""});

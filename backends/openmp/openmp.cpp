@@ -18,6 +18,7 @@
 #include "backends/openmp/variants.h"
 #include "core/base/cores.h"
 #include "core/base/cpu.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
@@ -123,10 +124,10 @@ constexpr double least_stack = 64;  // min stack size in KiB; a thread needs abo
 
 // Returns the size in KiB that a value of OMP_STACKSIZE sets (OpenMP 5.2, 21.2.2): a number, in KiB unless B, K, M or G
 // follows. Returns 0 for a value that is not a number, which the run-time library ignores.
-double kibibytes(const char* text)
+double kibibytes(const std::string& text)
 {
     char* rest = nullptr;
-    const double number = std::strtod(text, &rest);
+    const double number = std::strtod(text.c_str(), &rest);
     while (std::isspace(static_cast<unsigned char>(*rest)) != 0) ++rest;
     switch (std::tolower(static_cast<unsigned char>(*rest))) {
         case 'b': return number / 1024;
@@ -140,11 +141,11 @@ double kibibytes(const char* text)
 // would crash the program.
 void check_stack_size()
 {
-    for (const char* name : {"OMP_STACKSIZE", "GOMP_STACKSIZE"}) {
-        const char* text = std::getenv(name);
-        const double size = text == nullptr ? 0 : kibibytes(text);
+    for (const VariableName name : {VariableName("OMP_STACKSIZE"), VariableName("GOMP_STACKSIZE")}) {
+        const std::string text = environment_variable(name);
+        const double size = kibibytes(text);
         if (size > 0 && size < least_stack) {
-            throw InputError(fmt::format("{}: '{}' given, expected at least {:.0f}K", name, text, least_stack));
+            throw InputError(fmt::format("{}: '{}' given, expected at least {:.0f}K", name.text, text, least_stack));
         }
     }
 }
@@ -246,8 +247,6 @@ public:
                 .threads = true,
                 .simd_width = true,
                 .chunk = true,
-                .variables = {"OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_DYNAMIC", "OMP_PROC_BIND", "OMP_PLACES",
-                              "OMP_WAIT_POLICY", "GOMP_CPU_AFFINITY", "GOMP_SPINCOUNT"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override { return std::nullopt; }

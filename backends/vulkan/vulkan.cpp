@@ -217,7 +217,6 @@ public:
     {
         return {.has_driver = true,
                 .band = true,
-                .variables = {"VK_ICD_FILENAMES", "VK_DRIVER_FILES", "LP_NUM_THREADS", "LP_NATIVE_VECTOR_WIDTH"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
 

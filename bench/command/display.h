@@ -23,7 +23,7 @@ public:
         if (step.what != what_) {
             what_ = step.what;
             bar_.reset();
-            bar_ = std::make_unique<ProgressBar>(what_, since);
+            bar_ = std::make_unique<ProgressBar>(what_, ProgressOptions{.start = since});
             if (!bar_->on_terminal()) say("{}: {}\n", program_, what_);
         }
         bar_->show(step.share, step.detail);

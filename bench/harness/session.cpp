@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "bench/machine/environment.h"
 #include "bench/result/figures.h"
@@ -13,6 +12,7 @@
 #include "bench/harness/verify.h"
 #include "bench/machine/steadiness.h"
 #include "bench/machine/telemetry.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 
@@ -89,7 +89,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     result.peaks = record.best();
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     result.warnings = record.warnings();
-    if (std::getenv("MANDELMARCH_REHEARSAL") != nullptr) {  // packaging/gpu_check
+    if (!environment_variable("MANDELMARCH_REHEARSAL").empty()) {  // packaging/gpu_check
         result.warnings.emplace(result.warnings.begin(), "a rehearsal: what is called a GPU may be none");
     }
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/base/memory.h"
 #include "core/render/agreement.h"
 #include "core/scene/fractal.h"
@@ -22,10 +23,8 @@ void check_memory(const Scene& scene)
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
     const std::uint64_t needed =
         pixels * (3 * Image::bytes_per_pixel(Image::Layers::all) + Image::bytes_per_pixel(Image::Layers::bytes));
-    if (const std::uint64_t available = available_memory(); needed > available) {
-        throw Unavailable(fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available", scene.width,
-                                      scene.height, needed >> 20, available >> 20));
-    }
+    const std::string lack = memory_shortage(fmt::format("{} x {} pixels", scene.width, scene.height), needed);
+    if (!lack.empty()) throw Unavailable(lack);
 }
 
 void describe(Row& row, const RenderStats& report)
@@ -156,12 +155,7 @@ void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expe
     }
 }
 
-std::uint64_t fingerprint(const Image& image)
-{
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const std::uint8_t byte : image.bytes()) hash = (hash ^ byte) * 0x100000001b3;
-    return hash;
-}
+std::uint64_t fingerprint(const Image& image) { return fnv1a(image.bytes().data(), image.bytes().size()); }
 
 std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, const KeepPicture& keep)
 {

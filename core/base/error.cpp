@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/environment.h"
 #include "core/base/error.h"
 
 #include <fcntl.h>
@@ -39,8 +40,8 @@ double device_timeout()
     constexpr double usual = 300;
     constexpr double least = 1e-3;
     constexpr double most = 1e6;
-    const char* text = std::getenv("MANDELMARCH_DEVICE_TIMEOUT");
-    if (text == nullptr || *text == '\0') return usual;
+    const std::string text = environment_variable("MANDELMARCH_DEVICE_TIMEOUT");
+    if (text.empty()) return usual;
     const auto seconds = parse_real(text);
     if (seconds && *seconds >= least && *seconds <= most) return *seconds;
     throw InputError(

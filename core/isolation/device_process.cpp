@@ -8,13 +8,13 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <mutex>
 #include <new>
 #include <set>
 
 #include "core/base/console.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
@@ -29,15 +29,15 @@ std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1
 constexpr std::size_t most_said = 1 << 16;  // max bytes of the process's output that are kept until they are printed
 constexpr std::size_t last_words = 300;     // max bytes of its output that a message quotes
 
-constexpr const char* log_variable = "MANDELMARCH_DRIVER_LOG";
+constexpr VariableName log_variable = "MANDELMARCH_DRIVER_LOG";
 
 // Opens the file that the environment variable names. Returns an empty Descriptor if it is not set.
 Descriptor opened_log()
 {
-    const char* path = std::getenv(log_variable);
-    if (path == nullptr || *path == '\0') return {};
-    Descriptor log(open(path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
-    if (log.number() < 0) throw InputError(fmt::format("{}: {}: {}", log_variable, path, std::strerror(errno)));
+    const std::string path = environment_variable(log_variable);
+    if (path.empty()) return {};
+    Descriptor log(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
+    if (log.number() < 0) throw InputError(fmt::format("{}: {}: {}", log_variable.text, path, std::strerror(errno)));
     return log;
 }
 
@@ -89,7 +89,7 @@ void DeviceProcess::log(std::string_view text)
     while (log_.number() >= 0 && !text.empty()) {
         const ssize_t size = write(log_.number(), text.data(), text.size());
         if (size < 0) {
-            say("{}: {}\n", log_variable, std::strerror(errno));
+            say("{}: {}\n", log_variable.text, std::strerror(errno));
             log_ = Descriptor();
             return;
         }

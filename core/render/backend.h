@@ -191,7 +191,6 @@ struct BackendInfo {
     bool chunk = false;
     bool band = false;
     bool block_size = false;
-    std::vector<std::string_view> variables = {};  // environment variables that change the backend's behaviour
     KernelBuild build = {};
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/quantile.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "flight/path/measures.h"
@@ -46,13 +47,7 @@ std::vector<Vector> rotations(const Path& path)
     return all;
 }
 
-double percentile_95(std::vector<double> values)
-{
-    if (values.empty()) return 0;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, at);
-    return *at;
-}
+double percentile_95(const std::vector<double>& values) { return values.empty() ? 0 : quantile(values, 0.95); }
 
 }  // namespace
 
@@ -80,9 +75,8 @@ std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
     }
     const double pace = flight_measures(*path.scene.fractal).pace * frames_per_second;
     const double bar = most_jerk * pace * pace * pace;
-    return {{"jerk, 95 of 100 frames", percentile_95(std::move(jerk)), bar, true, false, "DE/s^3", ""},
-            {"angular jerk, 95 of 100 frames", percentile_95(std::move(angular)), most_angular_jerk, true, false,
-             "deg/s^3", ""}};
+    return {{"jerk, 95 of 100 frames", percentile_95(jerk), bar, true, false, "DE/s^3"},
+            {"angular jerk, 95 of 100 frames", percentile_95(angular), most_angular_jerk, true, false, "deg/s^3"}};
 }
 
 Row level_row(const Path& path)
@@ -96,7 +90,7 @@ Row level_row(const Path& path)
         held += std::abs(tilt.angle) < level * std::numbers::pi / 180 ? 1 : 0;
     }
     const double share = horizons > 0 ? 100.0 * static_cast<double>(held) / static_cast<double>(horizons) : 100;
-    return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%", ""};
+    return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%"};
 }
 
 std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,

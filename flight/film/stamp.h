@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/hash.h"
+
 namespace mandelmarch {
 
 // A hash of 32 hexadecimal digits. It consists of two 64-bit FNV-1a hashes with different initial values.
@@ -16,7 +18,7 @@ public:
     std::string text() const;
 
 private:
-    std::uint64_t first_ = 0xcbf29ce484222325, second_ = 0x84222325cbf29ce4;
+    std::uint64_t first_ = fnv1a_start, second_ = 0x84222325cbf29ce4;
 };
 
 std::string digest(const std::string& text);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/quantile.h"
 #include "core/scene/fractal.h"
 #include "flight/path/measures.h"
 #include "flight/plan/random.h"
@@ -44,9 +45,8 @@ double step_of_values(const Shapes& shapes, double low, double high)
             rates.push_back(std::abs((after[i] - before[i]) / little));
     }
     if (rates.empty()) return high - low;
-    const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
-    std::ranges::nth_element(rates, middle);
-    const double wanted = moved * flight_measures(*field.scene().fractal).roads * size / std::max(*middle, 1e-12);
+    const double wanted =
+        moved * flight_measures(*field.scene().fractal).roads * size / std::max(upper_median(rates), 1e-12);
     return std::clamp(wanted, (high - low) / (most_values - 1), high - low);
 }
 

@@ -35,8 +35,8 @@ Ran run(Defect defect, std::vector<std::string> arguments)
     backends.push_back(make_openmp_backend());
     backends.push_back(std::make_unique<BrokenBackend>(defect));
     const Registry registry(std::move(backends));
-    const std::string file = testing::TempDir() + "bench_program_test.json";
-    std::remove(file.c_str());
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "result.json";
     arguments.insert(arguments.begin(), "bench");
     arguments.insert(arguments.end(), {"--json", file});
     std::vector<char*> argv;
