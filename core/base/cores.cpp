@@ -29,7 +29,7 @@ struct Mask {
 };
 constinit Mask given;
 
-// Not instrumented, because it runs before sanitizers are initialised.
+// Sanitizers must not instrument this function, because it runs before they are initialised.
 __attribute__((no_sanitize("address", "thread", "undefined"))) void note_affinity()
 {
     given.bytes = syscall(SYS_sched_getaffinity, 0, sizeof given.bits, given.bits);

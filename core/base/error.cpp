@@ -22,8 +22,8 @@ namespace mandelmarch {
 
 namespace {
 
-// Opens /dev/null in place of each standard descriptor that is closed, so that no file receives its number. Uses the
-// wrong access mode, so that reads from stdin and writes to stdout and stderr still fail.
+// Opens /dev/null in place of each standard descriptor that is closed, so that no file opened later receives its
+// number. Uses the wrong access mode, so that reads from stdin and writes to stdout and stderr still fail.
 void hold_standard_descriptors()
 {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

@@ -107,8 +107,8 @@ struct FractalFast {
     // Step factor. If it is below plain_step_factor, steps are not over-relaxed. This is for scenes with thin features,
     // which longer steps would miss.
     RowFormula<Plain> step_factor{defaults::step_factor<double>, defaults::step_factor<Formula>};
-    // Refinement of a hit ends if |DE - tolerance t| is below this fraction of the tolerance. Selected by how much
-    // pictures change.
+    // Refinement of a hit ends if |DE - tolerance t| is below this fraction of the tolerance. The value was chosen by
+    // measuring how much pictures change.
     double root_share = 0.001;
     // Cones are used if adjacent rays are at most this many tolerances apart.
     double cone_pitch = 0;
@@ -121,9 +121,10 @@ struct FractalFlight {
     // Returns the min magnification of an iteration. Features that iteration n adds have about growth^-n times the
     // fractal's size.
     double (*growth)(const Scene& scene) = defaults::growth;
-    // How far the estimate can be trusted, as fractions of it. safety: the part that is certainly free of the surface,
-    // at some distance from it. step_factor: the step factor for films; it is smaller, because close to the surface an
-    // estimate can exceed the distance. `conservative` applies to the conservative estimate, if the fractal has one.
+    // Fractions of the estimate that can be trusted. safety: within this fraction there is certainly no surface, except
+    // at points close to the surface. step_factor: the step factor for films; it can be smaller, because close to the
+    // surface an estimate can exceed the distance. `conservative` is for the conservative estimate, if the fractal has
+    // one.
     struct Trust {
         double safety = 0.5;
         double step_factor = 0.5;

@@ -32,11 +32,11 @@ std::string_view objection(const Scene& scene)
     return {};
 }
 
-// Returns the radius at which tails of three or four iterations begin; 0 if there are no tails. Outside this radius,
-// an iteration maps the folded point's radius r to |s| r, changed by the box fold by at most 2 |s| sqrt 3, and adds
-// p. The factor 0.96 was found by experiment: nearly all orbits escape in the third or fourth iteration from there.
-// They rarely return to the spheres of the sphere fold if r is about twice the fractal's extent, which the
-// coordinates of p exceed only a little. tests/unit/tail_test.cpp counts the exceptions.
+// Returns the radius at which tails (see Fractal::add_tail) of three or four iterations begin; 0 if there are no tails.
+// Outside this radius r, an iteration multiplies r by |s|, except for a change of at most 2 |s| sqrt 3 by the box fold,
+// and adds p. The factor 0.96 was found by experiment: nearly all orbits escape in the third or fourth iteration from
+// there. An orbit rarely returns to the spheres of the sphere fold if r is about twice the fractal's extent; the
+// coordinates of p exceed that extent only a little. tests/unit/tail_test.cpp counts the exceptions.
 double tail_radius(const Scene& scene)
 {
     const auto [scale, inner, fixed] = scene.shape;

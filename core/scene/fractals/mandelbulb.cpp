@@ -15,8 +15,8 @@ constexpr std::string_view official =
 #include "official/paramsBulb.dat"
     ;
 constexpr double low_power_stride = 0.4;
-// Fraction c of the envelope of the power map's stretch (core/kernel/fractals/mandelbulb.h), for the conservative
-// estimate. docs/notes/experiments.md explains the value.
+// Fraction c of the envelope in conservative_growth() (core/kernel/fractals/mandelbulb.h).
+// docs/notes/experiments.md explains the value.
 constexpr double envelope_share = 0.7;
 
 // The bailout radius is limited so that r^3P is finite, because gradients contain products of r^P and its derivative.
