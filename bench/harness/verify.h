@@ -12,7 +12,7 @@
 
 namespace mandelmarch::bench {
 
-// An expected picture, and a case that must render it.
+// An expected picture, and a configuration that has to render it.
 struct ExpectedPicture {
     std::optional<Case> of;
     std::string name;  // for messages
@@ -23,9 +23,9 @@ struct ExpectedPicture {
 // Renders the expected pictures. Keeps the last one for exact mode and the last one for fast mode.
 // The picture of a configuration is compared with
 //   in exact mode: the scalar kernel's on the host (--simd-width 1), in the same precision. The bits must be the same.
-//   in fast mode: the reference's canonical picture in double. If the reference would take minutes (more than a million
-//     pixels) or does not support the scene, with the scalar kernel's fast picture in double. At most 2 % of the pixels
-//     may differ visibly.
+//   in fast mode: the reference's canonical picture in double; or the scalar kernel's fast picture in double, if the
+//     reference would take minutes (more than a million pixels) or does not support the scene. At most 2 % of the
+//     pixels may differ visibly.
 //   for the reference itself in exact mode: the scalar kernel's, in double. At most 2 % may differ visibly.
 class ExpectedPictures {
 public:

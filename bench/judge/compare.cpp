@@ -36,7 +36,7 @@ std::string lack_of(const Row& row, bool by_run)
     if (!row.unavailable.empty()) return "unavailable: " + row.unavailable;
     if (!row.failure.empty()) return row.failure;
     if (row.samples.empty()) return "it was not timed";
-    if (!row.timed()) return "its picture was not proven";
+    if (!row.timed()) return "its picture was not verified";
     if (!std::ranges::all_of(kernel_times(row), [](double seconds) { return seconds > 0; })) {
         return "a time is not above 0";
     }

@@ -27,7 +27,7 @@ struct Sample {
     int round = 0;                                          // index within that run
     double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
     double host = 0;
-    double processor = 0;  // of all threads of the rendering process; for duels, not stored
+    double processor = 0;  // of all threads of the rendering process; only for duels, not stored in results
 };
 
 // The scene of a picture, and its size.
@@ -168,7 +168,7 @@ struct Questions {
     std::vector<Ratio> double_to_float;    // on the same device
     std::vector<Ratio> others_to_host;     // each other backend / the host's; the reference is left out
     std::vector<Ratio> to_first_value;     // sweeps and the ladder: each later value / the first value
-    std::vector<Ratio> to_previous_value;  // the same: each later value / the last one before it with its aspect ratio
+    std::vector<Ratio> to_previous_value;  // as before: each value / the last before it with its aspect ratio
 };
 
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON does not throw, which the check cannot see

@@ -26,7 +26,7 @@ struct Tested {
     int pictures = 0;       // drawn
     int unavailable = 0;    // scenes that the configuration does not support
     int wrong = 0;          // pictures whose bits or work counts differ, or that failed with an error
-    std::string refusal{};  // why the first of these scenes is not supported
+    std::string refusal{};  // why the first unsupported scene is not supported
 
     std::string name() const;  // "vulkan, device 0, in float"
 };
@@ -51,8 +51,8 @@ struct EquivalenceResult {
 
 // Renders each scene in both precisions with the scalar kernel and with every tested configuration. Scenes that would
 // be too much work are rendered smaller. Calls `found` with each discrepancy as soon as it is found, and `progress`
-// with the completed fraction. If no selected backend can be
-// tested, throws Error if one of them failed, else Unavailable.
+// with the completed fraction. If no selected backend can be tested, throws Error if one of them failed, else
+// Unavailable.
 EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress);

@@ -198,12 +198,11 @@ std::string to_console(const RandomResult& result)
                             fmt::format("{} of {}", sums.all.far_off, sums.all.scenes), sums.all.short_of_digits,
                             100 * sums.all.worst);
     }
-    return text +
-           fmt::format(
-               "off: by more than 2 of 255; short of digits: scenes over {0:.0f} % of which exact mode's picture "
-               "in float is\nover {0:.0f} % off that in double, too; every set is held to {0:.0f} % and {1:.2f} "
-               "%: {2}\n",
-               100 * most_off, 100 * most_wrong_hits, result.passed() ? "held" : "NOT HELD");
+    return text + fmt::format(
+                      "off: by more than 2 of 255; short of digits: those of the scenes over {0:.0f} % in which exact "
+                      "mode's float\npicture, too, is over {0:.0f} % off its double picture; limits of every set, "
+                      "{0:.0f} % and {1:.2f} %: {2}\n",
+                      100 * most_off, 100 * most_wrong_hits, result.passed() ? "held" : "NOT HELD");
 }
 
 }  // namespace mandelmarch::bench

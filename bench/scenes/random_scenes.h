@@ -30,7 +30,7 @@ struct RandomRow {
     Scene scene;
     Precision precision = Precision::f64;
     Comparison off;        // difference from the canonical picture
-    double exact_off = 0;  // fraction of pixels in which exact mode differs visibly from exact mode in double
+    double exact_off = 0;  // fraction of pixels in which exact mode in `precision` differs visibly from it in double
 };
 
 // Sum over the scenes of one set, or of all sets, of one fractal in one precision. Fractions are of pixels.
