@@ -75,8 +75,8 @@ struct StillOptions {
 // Throws InputError if stills cannot be made from a path of `frames` frames.
 void check_stills(const StillOptions& options, std::size_t frames);
 
-// Writes frame-000123.png (or .jpg) and its stamp for every frame with a still, which is every `every`-th one. Keeps
-// files that are finished according to their stamps. Returns the number of stills, including those kept.
+// Writes frame-000123.png (or .jpg) and its stamp for every `every`-th of the chosen frames. Keeps files that are
+// finished according to their stamps. Returns the number of stills, including those kept.
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks);
 
 }  // namespace mandelmarch
