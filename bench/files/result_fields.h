@@ -140,7 +140,7 @@ struct Fields<Row> {
         derived_field(
             "application", &Row::application, "backend",
             {.about = "Name under which rows are compared: the backend, or BACKEND-scalar for the scalar kernel in "
-                      "the standard study."}),
+                      "the studies standard and demo."}),
         field("device", &Row::device, "device"),
         field("sweep_value", &Row::sweep_value, "sweep_value", {.about = "NAME=VALUE in a sweep, else empty."}),
         field("setting", &Row::setting),

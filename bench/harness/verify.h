@@ -34,7 +34,8 @@ public:
     // Throws Unavailable if this build has no suitable backend to compare with.
     const ExpectedPicture& for_case(const Case& one);
 
-    // Returns true if the configuration renders the expected picture itself, so that there is nothing to compare with.
+    // Returns true if the configuration itself renders the expected picture of fast mode, so that there is nothing to
+    // compare with. In exact mode the scalar kernel is compared with a second picture of its own.
     bool renders_expected(const Case& one) const;
 
     // Returns true if both configurations have the same expected picture.

@@ -51,7 +51,7 @@ struct GpuState {
     std::optional<double> joules;               // since the driver was loaded
     std::optional<double> watts, celsius;       // now
     std::optional<double> sm, most_sm, memory;  // clock frequencies, MHz: multiprocessors, their maximum, memory
-    std::optional<std::string> throttled;       // reason for a reduced clock frequency; "none" if not reduced
+    std::optional<std::string> throttled;       // reason for a reduced clock frequency, "idle" or "none"
 };
 
 struct GpuStates {

@@ -29,7 +29,7 @@ public:
     //     each may be null
     //   gpus: [{"name", "joules", "watts", "celsius", "sm_megahertz", "most_sm_megahertz", "memory_megahertz",
     //     "throttled"}], from NVML, for the whole GPU. joules: since construction; all other values are current; null
-    //     if unknown. throttled: reason for a reduced clock frequency, "none" if not reduced.
+    //     if unknown. throttled: reason for a reduced clock frequency, "idle" or "none".
     nlohmann::ordered_json since_start() const;
 
 private:

@@ -31,12 +31,13 @@ struct Tested {
     std::string name() const;  // "vulkan, device 0, in float"
 };
 
-// A picture that differs from that of the scalar kernel (--simd-width 1), or that could not be rendered.
+// A picture whose bits or work counts differ from those of the scalar kernel (--simd-width 1), or that could not be
+// rendered.
 struct Discrepancy {
     std::string scene;       // "box-1-17": fractal, seed, index
     std::string parameters;  // contents of its parameter file
     std::string subject;     // Tested::name()
-    std::string what;        // the first differing pixel with both values, or the error
+    std::string what;        // the first differing pixel with both values, the work counts, or the error
 };
 
 struct EquivalenceResult {

@@ -46,7 +46,8 @@ std::vector<DrawnScene> scenes_of(const RandomOptions& options)
     return scenes;
 }
 
-// Creates the renderer of canonical pictures: the reference, or the scalar kernel with all optimisations disabled.
+// Creates the renderer of canonical pictures: the reference, or the scalar kernel without the optimisations of the
+// march.
 std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Scene& scene)
 {
     const Backend& reference = registry.with(Role::reference);

@@ -31,7 +31,7 @@ struct Options {
     std::uint64_t seed = 1;          // for the order of configurations in each round
     std::optional<double> budget;    // seconds for the timed rounds
     bool peaks = true;               // measure peaks before and after the rounds; needed for the share of peak
-    bool baselines = true;           // include the baselines of the standard study
+    bool baselines = true;           // include the baselines of the study, if it has some
 
     bool selects(std::string_view backend) const;
     const std::vector<Mode>& selected_modes() const { return modes.empty() ? study->modes : modes; }
