@@ -52,6 +52,7 @@ Range chosen_segments(const std::optional<Range>& segments, std::size_t frames);
 // - The path does not have the chosen frames or segments.
 // - The title does not fit.
 // - The output cannot be written, or its extension is not that of a film.
+// - Segments are chosen, but the output is a pipe or device.
 // Does not change any file.
 void check_film(const FilmOptions& options, std::size_t frames, int rate);
 
