@@ -86,7 +86,7 @@ public:
 
 private:
     std::string path_;
-    std::map<std::string, std::string> pictures_;  // files, by the names of their rows
+    std::map<std::string, std::string> pictures_;  // file names, by the names of configurations
 };
 
 int body(int argc, char** argv)

@@ -30,15 +30,16 @@ Json properties_of(Json& definitions)
     return record_schema<Record>(definitions);
 }
 
-// The schema of a result also has what is computed from several rows. A portability file is a list of the same entries
-// as `portability` in a result.
+// Returns the schema of a result's fields, with those computed from several rows: `portability` and `winners`. A
+// portability file is the same list as `portability`.
 Json result_properties(Json& definitions)
 {
     Json schema = record_schema<Result>(definitions);
     schema["properties"]["portability"] = schema_of<std::vector<Portability>>({}, definitions);
     schema["required"].push_back("portability");
     schema["properties"]["winners"] = schema_of<std::vector<Contest>>({}, definitions);
-    schema["properties"]["winners"]["description"] = "Of a standard study. Missing in results of older builds.";
+    schema["properties"]["winners"]["description"] =
+        "Only in results of a standard study; missing in those of older builds.";
     return schema;
 }
 

@@ -159,7 +159,7 @@ Sample draw_sample(TimedCase& row, Image& image)
     }
     sample.processor = (processor_seconds() - processor) / std::max(1, frames);
     if (fingerprint(image) != row.fingerprint) {
-        throw Error("the timed picture is not the one that was proven");
+        throw Error("the timed picture differs from the verified one");
     }
     return sample;
 }

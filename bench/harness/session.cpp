@@ -58,7 +58,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     Steadiness steadiness;
     result.environment = environment(registry);
     std::vector<Case> cases = cases_of(registry, options);
-    if (cases.empty()) throw InputError("bench: no row is left by these options (bench --list shows the rows)");
+    if (cases.empty()) throw InputError("bench: these options select no configuration (bench --list shows all)");
     for (const Case& one : cases) {
         if (one.backend != nullptr || options.backends != std::vector{one.row.backend}) continue;
         if (!one.row.failure.empty()) throw Error(one.row.failure);
@@ -90,7 +90,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     result.warnings = record.warnings();
     if (!environment_variable("MANDELMARCH_REHEARSAL").empty()) {  // packaging/gpu_check
-        result.warnings.emplace(result.warnings.begin(), "a rehearsal: what is called a GPU may be none");
+        result.warnings.emplace(result.warnings.begin(), "a rehearsal: a device called a GPU may not be one");
     }
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
     result.environment["during"] = steadiness.during();

@@ -114,7 +114,7 @@ const ExpectedPicture& ExpectedPictures::for_case(const Case& one)
     if (kept.of && same(*kept.of, one)) return kept;
     const Source source = source_for(one);
     if (source.backend->unavailable()) {
-        throw Unavailable(fmt::format("nothing to compare with: backend {} is not here", source.backend->name()));
+        throw Unavailable(fmt::format("nothing to compare with: backend {} is unavailable", source.backend->name()));
     }
     kept = {};
     Image image(one.scene.width, one.scene.height, Image::Layers::all);

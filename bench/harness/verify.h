@@ -12,7 +12,7 @@
 
 namespace mandelmarch::bench {
 
-// An expected picture, and a case that must render it.
+// An expected picture, and a configuration that has to render it.
 struct ExpectedPicture {
     std::optional<Case> of;
     std::string name;  // for messages
@@ -23,9 +23,9 @@ struct ExpectedPicture {
 // Renders the expected pictures. Keeps the last one for exact mode and the last one for fast mode.
 // The picture of a configuration is compared with
 //   in exact mode: the scalar kernel's on the host (--simd-width 1), in the same precision. The bits must be the same.
-//   in fast mode: the reference's canonical picture in double. If the reference would take minutes (more than a million
-//     pixels) or does not support the scene, with the scalar kernel's fast picture in double. At most 2 % of the pixels
-//     may differ visibly.
+//   in fast mode: the reference's canonical picture in double; or the scalar kernel's fast picture in double, if the
+//     reference would take minutes (more than a million pixels) or does not support the scene. At most 2 % of the
+//     pixels may differ visibly.
 //   for the reference itself in exact mode: the scalar kernel's, in double. At most 2 % may differ visibly.
 class ExpectedPictures {
 public:
@@ -34,7 +34,8 @@ public:
     // Throws Unavailable if this build has no suitable backend to compare with.
     const ExpectedPicture& for_case(const Case& one);
 
-    // Returns true if the configuration renders the expected picture itself, so that there is nothing to compare with.
+    // Returns true if the configuration itself renders the expected picture of fast mode, so that there is nothing to
+    // compare with. In exact mode the scalar kernel is compared with a second picture of its own.
     bool renders_expected(const Case& one) const;
 
     // Returns true if both configurations have the same expected picture.

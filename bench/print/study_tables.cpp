@@ -53,8 +53,9 @@ std::string errors_of(const Result& result)
 std::string counts_table(const Result& result)
 {
     std::string text = fmt::format(
-        "\nWork of the text, counted\n{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "fractal",
-        "precision", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active", "active");
+        "\nWork of the kernel, counted\n{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n",
+        "fractal", "precision", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active",
+        "active");
     text += fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
                         "per pix", "call", "iter", "per iter", "pixel", "steps", "iters");
     for (const Counted& c : result.counts) {
@@ -73,8 +74,8 @@ std::string counts_table(const Result& result)
                         100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);
     }
     return text + fmt::format(
-                      "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients with "
-                      "roots; active: lanes\nthat do something, in packs of {} pixels\n",
+                      "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients "
+                      "include\nroots; active: lanes that do something, in packs of {} pixels\n",
                       result.counts.empty() ? 0 : result.counts.front().lane_use.front().lanes);
 }
 

@@ -47,7 +47,8 @@ std::string difference(const Drawn& expected, const Drawn& got)
     const std::string right = counts(expected.work);
     const std::string work = counts(got.work);
     if (work == right) return {};
-    return fmt::format("the same picture by other work: {} steps/estimates/iterations, expected {}", work, right);
+    return fmt::format("the same picture, but other work counts: {} steps/estimates/iterations, expected {}", work,
+                       right);
 }
 
 // A tested configuration with its renderer, which is reused from scene to scene and created again after an error.

@@ -46,7 +46,8 @@ std::vector<DrawnScene> scenes_of(const RandomOptions& options)
     return scenes;
 }
 
-// Creates the renderer of canonical pictures: the reference, or the scalar kernel with all optimisations disabled.
+// Creates the renderer of canonical pictures: the reference, or the scalar kernel without the optimisations of the
+// march.
 std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Scene& scene)
 {
     const Backend& reference = registry.with(Role::reference);
@@ -198,12 +199,11 @@ std::string to_console(const RandomResult& result)
                             fmt::format("{} of {}", sums.all.far_off, sums.all.scenes), sums.all.short_of_digits,
                             100 * sums.all.worst);
     }
-    return text +
-           fmt::format(
-               "off: by more than 2 of 255; short of digits: scenes over {0:.0f} % of which exact mode's picture "
-               "in float is\nover {0:.0f} % off that in double, too; every set is held to {0:.0f} % and {1:.2f} "
-               "%: {2}\n",
-               100 * most_off, 100 * most_wrong_hits, result.passed() ? "held" : "NOT HELD");
+    return text + fmt::format(
+                      "off: by more than 2 of 255; short of digits: those of the scenes over {0:.0f} % in which exact "
+                      "mode's float\npicture, too, is over {0:.0f} % off its double picture; limits of every set, "
+                      "{0:.0f} % and {1:.2f} %: {2}\n",
+                      100 * most_off, 100 * most_wrong_hits, result.passed() ? "held" : "NOT HELD");
 }
 
 }  // namespace mandelmarch::bench

@@ -15,7 +15,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns an axis over the elements of a list, which is in no sweep value.
+// Returns an axis over the elements of a list. It adds nothing to the sweep value.
 template <class List, class Set>
 Axis over(const List& list, Set set)
 {
@@ -119,7 +119,7 @@ Case missing(const Backend& backend, Listing listing)
     return made;
 }
 
-// Returns a function that tells if a filter in Google Benchmark's syntax selects a name.
+// Returns a function that returns true for the names that the filter selects. The filter has Google Benchmark's syntax.
 std::function<bool(const std::string& name)> selection(const std::string& filter)
 {
     if (filter.empty() || filter == "all") return [](const std::string&) { return true; };

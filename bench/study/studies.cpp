@@ -87,7 +87,8 @@ bool in_demo(const Case& one)
     return one.row.device == 0 && (is_swept(one.backend->info()) || one.row.precision == Precision::f64);
 }
 
-// A rung of the ladder from the serial reference to the fastest picture. Techniques make estimates fewer.
+// A rung of the ladder from the serial reference to the fastest picture. The techniques reduce the number of DE
+// evaluations.
 struct Rung {
     std::string_view name;
     Role role;
@@ -139,7 +140,7 @@ std::vector<Study> all_studies()
          .baselines = true},
         {.name = "resolution", .about = "pictures from 270 x 270 to 4096 x 2160", .axes = {{"size", sizes}}},
         {.name = "frames",
-         .about = "1 to 100 pictures from a fresh renderer: what opening and building cost",
+         .about = "1 to 100 pictures from a fresh renderer: the cost of opening devices and building kernels",
          .axes = {{"frames", each(&Setting::frames, {1, 2, 5, 10, 30, 100})}},
          .width = 270,  // small enough to render a hundred pictures
          .height = 270},
@@ -154,13 +155,13 @@ std::vector<Study> all_studies()
          .axes = {{"chunk", each(&Setting::chunk, {1, 2, 4, 8, 16, 32, 64})}},
          .measures = [](const BackendInfo& info) { return info.chunk; }},
         {.name = "bands",
-         .about = "pixels that a device draws in one go",
+         .about = "pixels that a device renders in one go",
          .axes = {{"band", each(&Setting::band, {1 << 14, 1 << 16, 1 << 18, 1 << 20, 1 << 22})}},
          .measures = [](const BackendInfo& info) { return info.band; },
          .width = 1920,  // large enough for several bands
          .height = 1080},
         {.name = "block-sizes",
-         .about = "threads of a GPU's block, work items of a group",
+         .about = "threads in a GPU's block, work items in a group",
          .axes = {{"block-size", each(&Setting::block_size, {32, 64, 128, 256, 512})}},
          .measures = [](const BackendInfo& info) { return info.block_size; }},
         {.name = "threads",
@@ -168,11 +169,11 @@ std::vector<Study> all_studies()
          .axes = {{"threads", thread_counts}},
          .measures = [](const BackendInfo& info) { return info.threads; }},
         {.name = "simd-widths",
-         .about = "pixels at once on a core",
+         .about = "pixels that a core renders at once",
          .axes = {{"simd-width", each(&Setting::simd_width, {1, 2, 4, 8, 16, 24, 32, 48, 64})}},
          .measures = [](const BackendInfo& info) { return info.simd_width; }},
         {.name = "ablation",
-         .about = "what makes a picture cheaper or better, disabled one by one",
+         .about = "techniques that make a picture cheaper or better, disabled one by one",
          .axes = {{"without", disabled}},
          .modes = {Mode::fast}},  // some optimisations, such as relaxation, exist in fast mode only
         {.name = "profile",

@@ -40,7 +40,7 @@ inline bool any_case(const Case&) { return true; }
 
 struct Study {
     std::string_view name, about;
-    std::vector<Axis> axes = {};  // those that every study has come around them (cases.cpp)
+    std::vector<Axis> axes = {};  // axes of this study alone; cases.cpp adds those of all studies
     // Returns true if the study measures this backend, for example because it has the option that varies.
     bool (*measures)(const BackendInfo&) = is_swept;
     bool (*keeps)(const Case&) = any_case;    // returns false for a configuration that the study leaves out

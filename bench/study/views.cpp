@@ -8,8 +8,8 @@
 namespace mandelmarch::bench {
 namespace {
 
-// The close-ups are, of 600 (Mandelbox) and 300 (Mandelbulb) random cameras close to the surface, the ones with the
-// most iterations in fast mode at 270 x 270. They were selected by hand: the Mandelbox's pictures in float and double
+// The close-ups were selected by hand among the views with the most iterations (fast mode, 270 x 270) of random cameras
+// close to the surface, 600 for the Mandelbox and 300 for the Mandelbulb: the Mandelbox's pictures in float and double
 // agree, and the Mandelbulb's camera is away from the poles. Not every place is suitable: docs/fast-mode.md, "What fast
 // mode misses".
 constexpr std::array box_iterations{4, 8, 12, 18, 30, 60};

@@ -13,7 +13,7 @@
 
 namespace mandelmarch::bench {
 
-// What the studies need to know of a fractal. Fractals without an entry in views.cpp have the defaults.
+// The studies' own parameters of a fractal. Fractals without an entry in views.cpp have the defaults.
 struct FractalStudy {
     static constexpr std::array usual_iterations{2, 4, 8, 16, 32, 64, 100};
 

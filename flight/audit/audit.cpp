@@ -126,7 +126,8 @@ private:
         add_largest("largest turn per frame", turns, cap, "deg");
     }
 
-    // Adds the longest time for which the camera stays within a quarter of its clearance from one point.
+    // Adds the longest time for which the camera stays within a quarter of its clearance from one point. A clearance
+    // counts as at most fastest_clearance().
     void standing()
     {
         std::vector<double> radii(clearances_.size());

@@ -19,9 +19,10 @@ constexpr double most_angular_jerk = 30;  // threshold, degrees / s^3
 constexpr double some_horizon = 0.25;     // the value of Tilt::horizon for a gaze 30 degrees from vertical
 constexpr double level = 30;              // degrees; a picture with a smaller tilt looks level
 
-constexpr double narrowing = 2;        // ratio of the clearances outside and inside a passage
-constexpr double same_clearances = 2;  // clearances; passages closer to each other than this count as one
-constexpr double same_size = 0.02;     // fractal sizes; the same limit again: the larger of the two applies
+constexpr double narrowing = 2;  // ratio of the clearances outside and inside a passage
+// Passages closer to each other than the larger of these two count as one.
+constexpr double same_clearances = 2;  // clearances
+constexpr double same_size = 0.02;     // fractal sizes
 
 // Returns, for each frame but the last, the rotation from its camera to the next frame's. The direction of the vector
 // is the axis, its length is the angle in radians.

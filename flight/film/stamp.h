@@ -34,8 +34,8 @@ enum class FileState { missing, damaged, whole };
 // `made_of`: one line that identifies the file's inputs, such as the digest of their description.
 FileState state_of(const std::string& file, const std::string& made_of);
 
-// Writes the stamp of `file`, which need not exist yet. `bytes`: the digest of the file's content. Throws Error if the
-// stamp cannot be written.
+// Writes the stamp of `file`; the file itself need not exist yet. `bytes`: the digest of the file's content. Throws
+// Error if the stamp cannot be written.
 void write_note(const std::string& file, const std::string& made_of, const std::string& bytes);
 
 }  // namespace mandelmarch

@@ -195,7 +195,7 @@ double faults(const Audit& audit)
     return sum;
 }
 
-// Throws InputError if the roadmaps have no free space or no gates.
+// Throws InputError if the roadmaps have no free space or, unless the shape changes, no gates.
 void check_roads(const RoadmapSet& atlas, const Scene& scene, const Schedule& schedule)
 {
     const auto fail = [&](const char* missing) {
