@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# mandelmarch_instruction_sets(TARGET): sets the instruction sets for which Highway compiles a target's packs.
+# mandelmarch_instruction_sets(TARGET): sets the instruction sets for which Highway compiles the packs (SIMD vectors of
+# pixels) of a target.
 set(MANDELMARCH_INSTRUCTIONS all CACHE STRING
     "Instruction sets of the packs: all (SSE4, AVX2 and AVX-512; the machine's best is taken at run time), or native")
 set_property(CACHE MANDELMARCH_INSTRUCTIONS PROPERTY STRINGS all native)

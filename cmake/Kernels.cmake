@@ -4,7 +4,8 @@
 include_guard()
 include(Fractals)
 
-# Packs exceed the size limit of GCC's scalar replacement of aggregates (SRA); with a higher one they stay in registers.
+# openmp's packs (vectors of pixels) exceed the size limit of GCC's scalar replacement of aggregates (SRA). With a
+# higher limit they stay in registers.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # A lower limit for alias queries (default 1000) gives the same code in a quarter of the compile time.
     # -fipa-pure-const makes loops of the Mandelbox slower in exact mode (docs/notes/experiments.md). With it, GCC 12
