@@ -132,7 +132,7 @@ struct FractalFlight {
     Trust trust{};
     std::optional<Trust> conservative{};
     const Trust& trust_of(const Scene& scene) const;
-    // Returns the bounds of the fractal. If it returns nullopt, the planner finds a sphere by casting rays.
+    // Returns the bounds of the fractal. If it returns nullopt, flight/field finds a sphere by casting rays.
     std::optional<Bounds> (*body)(const Scene& scene) = defaults::unknown_body;
     // Maps places that are equivalent under the fractal's symmetries to the one in the fundamental region.
     Vector (*representative)(const Scene& scene, Vector p) = defaults::representative;
