@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Thin targets over the CMake presets; `make help` lists them. `make demo`, `make test`, `make mandelbulb` and `make
-# setup` install missing packages on Debian 12 and 13; the other targets name them.
+# Thin targets over the CMake presets; `make help` lists them. The targets that run tools/setup or report/setup, such as
+# `make demo` and `make test`, install missing packages on Debian 12 and 13; other targets print which are missing.
 PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
 # Programs for this machine alone have packs for its own instruction set only, which takes less time to build. If a
-# release build exists, or PRESET is given, they come from that build.
+# release build exists, or PRESET is given, programs come from that build instead.
 HERE := $(if $(filter file,$(origin PRESET)),$(if $(wildcard build/release/bin/flythrough),release,native),$(PRESET))
 # $(call take,PRESET,PROGRAM...): copies programs from their build to bin. Running programs keep their old file.
 put = cp --remove-destination
@@ -24,7 +24,7 @@ build: ## all programs, for every instruction set: bin/, mandelbulb, mandelbox (
 	@tools/build $(PRESET) programs
 	@$(take_all)
 
-help: ## list the targets; times are for two cores, without the build (at once)
+help: ## list the targets; times are for two cores, without the build unless stated (at once)
 	@sed -En 's/^([a-z0-9][a-z0-9 -]*):.*## (.*)/\1|\2/p' Makefile | while IFS='|' read -r names text; do printf '  %-21s %s\n' "$$names" "$$text"; done
 
 mandelbulb: ## the program that renders paramsBulb.dat (3 min with set-up and build)
@@ -49,7 +49,7 @@ test: ## all tests of a build for this machine (12 min with set-up and build)
 	@tools/python_packages
 	MANDELMARCH_NEED_PYTHON=1 ctest --preset $(TESTED)
 
-check: ## the quick tests of that build (2 min)
+check: ## the quick tests of the same build (2 min)
 	@tools/build $(TESTED) all
 	ctest --preset $(TESTED) -L quick
 
@@ -84,7 +84,7 @@ results: build ## all results in report/results, from one clean revision; resume
 equivalence: build ## compare exact pictures of SCENES=1000 random scenes bit for bit on every backend (5 min, estimated)
 	@bin/bench equivalence --scenes $(SCENES) --seed $(SCENES_SEED) --folder build/equivalence
 
-flythrough: ## the program that makes films (as long as it builds)
+flythrough: ## the program that makes films (the time of its build)
 	@tools/build $(HERE) flythrough
 	@$(call take,$(HERE),flythrough)
 
@@ -119,13 +119,14 @@ contact-sheet: ## frames of video.mp4, its summary and its audit, for the report
 gallery: build ## the pictures of docs/gallery.md (10 min, estimated)
 	@tools/gallery bin docs/pictures
 
-# How often bench duel is right on this machine, idle and with LOAD busy processes. The two programs are test programs.
+# Measures how often bench duel is right on this machine, idle and with LOAD busy processes. The programs that it
+# compares are test programs.
 LOAD ?= 2
 duel-study: ## 120 duels, half of equal programs and half with one 3 % slower, for docs/method.md (20 min)
 	@tools/build $(PRESET) bench_slowed
 	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
 
-# Tables of paths and audits, of the gain and cost of anti-aliasing, and of the cost of a segment.
+# Writes tables of paths and audits, of the gain and cost of anti-aliasing, and of the cost of a segment.
 SEEDS ?= 10
 flight-study: build ## plan and audit SEEDS=10 flights through both fractals, for docs/flight.md (an hour, estimated)
 	@python3 tools/flight_study.py bin report/results --seeds $(SEEDS)
@@ -194,7 +195,7 @@ gpu-results: ## unpack FILE=results.tgz from a GPU into report/results/DEVICE, w
 # STEPS="bands film" repeats these steps. MANDELMARCH_REHEARSAL=1 treats any device as a GPU and puts results into
 # build.
 STEPS ?=
-gpu-hour: build ## the same and longer steps on this machine; resumes if interrupted: report/results/DEVICE (an hour)
+gpu-hour: build ## gpu-quarter's and longer steps, on this machine; resumes if interrupted: report/results/DEVICE (an hour)
 	@packaging/gpu_check --hour --work build/gpu-hour bin build/gpu-hour $(STEPS); code=$$?; \
 	    python3 tools/gpu_results.py build/gpu-hour/results.tgz $(if $(MANDELMARCH_REHEARSAL),build,report/results) && exit $$code
 

@@ -6,18 +6,18 @@ set(MANDELMARCH_CXX "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MANDELMARCH_CXX_FLAGS)
 
 # mandelmarch_kernel_build(SOURCE COMPILER WORD... EXACT FLAG... FAST FLAG...): defines MANDELMARCH_BUILD_COMPILER,
-# _EXACT and _FAST in SOURCE, for Facts::build: the compiler of the kernels and its flags in each mode.
+# _EXACT and _FAST in SOURCE, for BackendInfo::build: the compiler of the kernels and its flags in each mode.
 function(mandelmarch_kernel_build source)
     cmake_parse_arguments(PARSE_ARGV 1 build "" "" "COMPILER;EXACT;FAST")
     foreach(fact COMPILER EXACT FAST)
         if(NOT build_${fact})
-            message(FATAL_ERROR "${source}: mandelmarch_kernel_build wants ${fact}")
+            message(FATAL_ERROR "${source}: mandelmarch_kernel_build needs ${fact}")
         endif()
         list(JOIN build_${fact} " " words)
         set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS "MANDELMARCH_BUILD_${fact}=\"${words}\"")
     endforeach()
     if(build_UNPARSED_ARGUMENTS)
-        message(FATAL_ERROR "${source}: mandelmarch_kernel_build knows no ${build_UNPARSED_ARGUMENTS}")
+        message(FATAL_ERROR "${source}: mandelmarch_kernel_build does not accept ${build_UNPARSED_ARGUMENTS}")
     endif()
 endfunction()
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The kernel source as one string with all #includes expanded, for compilers that take strings, not files. Also included
-# by a script of the report's viewer (cmake -P), which does not configure anything.
+# Makes the kernel source one string with all #includes expanded, for compilers that take strings, not files. A script
+# of the report's viewer (cmake -P) also includes this file; a script cannot configure again if a source changes.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
     file(GLOB_RECURSE kernel_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/kernel/*.h)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${kernel_files})
@@ -27,7 +27,7 @@ function(mandelmarch_flatten_kernel root fractal result)
 endfunction()
 
 # mandelmarch_flatten_glsl(ROOT FRACTAL FILE): writes a shader as one file. glslang cannot paste a suffix to a number,
-# so literals get theirs here: R(x) becomes BY_PRECISION(x, x), and BY_PRECISION(x, y) becomes BY_PRECISION(xlf, yf).
+# so this function adds it: R(x) becomes BY_PRECISION(x, x), and BY_PRECISION(x, y) becomes BY_PRECISION(xlf, yf).
 function(mandelmarch_flatten_glsl root fractal file)
     mandelmarch_flatten_kernel(${root} "${fractal}" text)
     set(number "(-?[0-9.]+(e-?[0-9]+)?)")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Lists of fractals: MANDELMARCH_FRACTALS has the names; MANDELMARCH_TEXT_NAME is the file of a fractal's kernel source,
-# relative to the project if inside it; MANDELMARCH_ROW_NAME is the file of its descriptor.
-option(MANDELMARCH_OWN_FRACTALS "The fractals of core/kernel/fractals" ON)
+# as a path relative to the project if it is inside; MANDELMARCH_ROW_NAME is the file of the fractal's descriptor.
+option(MANDELMARCH_OWN_FRACTALS "Build the fractals of core/kernel/fractals" ON)
 set(MANDELMARCH_MORE_FRACTALS "" CACHE STRING "Folders with more fractals, each of them NAME.h and NAME.cpp")
 
 # mandelmarch_fractals(TEXTS ROWS): adds the fractals with kernel sources TEXTS/NAME.h and descriptors ROWS/NAME.cpp.

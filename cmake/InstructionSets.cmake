@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# mandelmarch_instruction_sets(TARGET): sets the instruction sets for which Highway compiles a target's packs.
+# mandelmarch_instruction_sets(TARGET): sets the instruction sets for which Highway compiles the packs (SIMD vectors of
+# pixels) of a target.
 set(MANDELMARCH_INSTRUCTIONS all CACHE STRING
     "Instruction sets of the packs: all (SSE4, AVX2 and AVX-512; the machine's best is taken at run time), or native")
 set_property(CACHE MANDELMARCH_INSTRUCTIONS PROPERTY STRINGS all native)
 
 if(MANDELMARCH_SANITIZER)
-    # Checks the code around the kernel, which is the same for all, with one instruction set and one pack width.
+    # Sanitizers check the code around the kernel, which is the same for all instruction sets. One of them, with one
+    # pack width, suffices.
     set(instruction_sets HWY_AVX2)
 elseif(MANDELMARCH_INSTRUCTIONS STREQUAL "native")
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/instruction_set.cpp @ONLY CONTENT [[
@@ -21,7 +23,7 @@ int main()
     try_run(ran compiled ${PROJECT_BINARY_DIR}/instruction_set SOURCES ${PROJECT_BINARY_DIR}/instruction_set.cpp
         RUN_OUTPUT_VARIABLE instruction_sets)
     if(NOT compiled OR NOT ran EQUAL 0)
-        message(FATAL_ERROR "MANDELMARCH_INSTRUCTIONS=native: this machine does not tell its instruction set, expected all")
+        message(FATAL_ERROR "MANDELMARCH_INSTRUCTIONS=native: the instruction set of this machine is unknown, expected all")
     endif()
 elseif(MANDELMARCH_INSTRUCTIONS STREQUAL "all")
     set(instruction_sets "HWY_SSE4|HWY_AVX2|HWY_AVX3")
@@ -29,7 +31,7 @@ else()
     message(FATAL_ERROR "MANDELMARCH_INSTRUCTIONS: '${MANDELMARCH_INSTRUCTIONS}' given, expected all or native")
 endif()
 
-# Highway has a bit for every target; x86 targets beyond SSE2 are the lowest fourteen.
+# Highway has a bit for every target; the lowest fourteen are those of x86 targets beyond SSE2.
 function(mandelmarch_instruction_sets target)
     target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(0x3fffLL&~(${instruction_sets}))")
     if(MANDELMARCH_SANITIZER)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# Backends whose kernels are the scalar kernel in a model's loops (core/job); see docs/add-a-backend.md.
+# Adds backends in which a programming model runs the scalar kernel in its own loops (core/job); see
+# docs/add-a-backend.md.
 include(Kernels)
 
 # mandelmarch_job_model(NAME SOURCE... [KERNELS TARGET] [TEMPLATES FOLDER] [OPTIONS FLAG...] [PACKAGES TARGET...]): adds
 # the target mandelmarch_NAME with its sources and the kernels: loops.cpp.in for every fractal, precision and mode, and
-# peak.cpp.in with fast mode's contraction. These two templates come from core/job, where they call loop() of
-# backends/NAME/loop.h, or from FOLDER. The functions drawing() and chains() in the model's namespace find them
+# peak.cpp.in with fast mode's contraction. These two templates are in FOLDER; by default in core/job, where they call
+# loop() of backends/NAME/loop.h. The functions drawing() and chains() in the model's namespace find the kernels
 # (core/job/model.h). If TARGET is given, the kernels become part of it, and the model finds them itself. FLAGs apply to
 # the kernels alone; PACKAGES are linked to mandelmarch_NAME.
 function(mandelmarch_job_model model)

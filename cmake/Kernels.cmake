@@ -4,16 +4,17 @@
 include_guard()
 include(Fractals)
 
-# GCC's SRA has a size limit that packs exceed; raise it so that they stay in registers.
+# openmp's packs (vectors of pixels) exceed the size limit of GCC's scalar replacement of aggregates (SRA). With a
+# higher limit they stay in registers.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # A lower limit for alias queries (default 1000) gives the same code in a quarter of the compile time.
-    # -fipa-pure-const makes loops of the Mandelbox slower in exact mode (docs/notes/experiments.md), and GCC 12 crashes
-    # (in fre, when it compares calls of pure functions) on packs of a single instruction set.
+    # -fipa-pure-const makes loops of the Mandelbox slower in exact mode (docs/notes/experiments.md). With it, GCC 12
+    # crashes on packs of a single instruction set (in fre, when it compares calls of pure functions).
     set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000
         --param=sccvn-max-alias-queries-per-access=100 -fno-ipa-pure-const)
 endif()
-# For Clang, packs do not force inlining of the kernel (core/kernel/prelude/pack.h). With this threshold it inlines the
-# same functions that GCC is forced to inline.
+# For Clang, packs do not force inlining of the kernel (core/kernel/prelude/pack.h). With this threshold, Clang inlines
+# the same functions that GCC is forced to inline.
 set(MANDELMARCH_INLINING "")
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     set(MANDELMARCH_INLINING -mllvm -inline-threshold=5000)
@@ -24,12 +25,12 @@ set(MANDELMARCH_PACKS -ffp-contract=off ${MANDELMARCH_PACKS} ${MANDELMARCH_INLIN
 # mandelmarch_kernels(TARGET TEMPLATE.cpp.in [BY fractal|precision|mode...] [FRACTALS NAME...] [MODES exact|fast...]
 #     [OPTIONS FLAG...] [FOLDER FOLDER] [TABLE FUNCTION CODE TYPE HEADER FILE NAMESPACE NAME]):
 # adds TEMPLATE.cpp.in to the target, configured for every fractal, precision and mode, or only BY some of these. The
-# sources are made in FOLDER, and compiled with their mode's floating-point flags, if made by mode, followed by the
-# options. The template can use fractal, fractal_file, precision, is_float, mode, is_fast, file (the source's path),
-# variant (FRACTAL_PRECISION_MODE, of those in BY) and name (TEMPLATE_variant).
+# sources are written to FOLDER. Their compiler options are the floating-point flags of the mode (if BY includes it) and
+# OPTIONS. The template can use fractal, fractal_file, precision, is_float, mode, is_fast, file (the source's path),
+# variant (FRACTAL_PRECISION_MODE, without those not in BY) and name (TEMPLATE_variant).
 # TABLE adds the function `TYPE* FUNCTION(std::string_view variant)` to NAMESPACE. It returns the address of the function
-# or constant `TYPE name` that a source defines, nullptr if there is none; HEADER declares the type. If TYPE contains
-# <Real>, FUNCTION is a template of Real, the precision, and HEADER declares it, too.
+# or constant `TYPE name` that the variant's source defines; nullptr if there is none. HEADER declares the type. If TYPE
+# contains <Real>, FUNCTION is a template of Real, the precision, and HEADER declares the template, too.
 function(mandelmarch_kernels target template)
     cmake_parse_arguments(PARSE_ARGV 2 with "" "FOLDER;TABLE;CODE;HEADER;NAMESPACE" "BY;FRACTALS;MODES;OPTIONS")
     if(with_UNPARSED_ARGUMENTS)
@@ -88,7 +89,7 @@ function(mandelmarch_kernels target template)
         set(file ${with_FOLDER}/${with_TABLE}.cpp)
         file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [[
 // SPDX-License-Identifier: Apache-2.0
-// Generated: finds what the sources made of @stem@.cpp.in define.
+// Generated: finds the definitions in the sources that were generated from @stem@.cpp.in.
 #include "@with_HEADER@"
 
 namespace @with_NAMESPACE@ {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Settings of g++'s offload compiler for NVIDIA GPUs, common to all backends that use it.
 
-# Debian's offload compiler calls its assembler `as`; this wrapper is found first (see nvptx_as.in).
+# Debian's offload compiler runs a program `as` to assemble; it finds this wrapper first (see nvptx_as.in).
 find_program(nvptx_as nvptx-none-as)
 mark_as_advanced(nvptx_as)
 # Device code is compiled at link time with each source's flags. Correctly rounded division and square root, and
@@ -13,10 +13,10 @@ if(nvptx_as)
         FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 endif()
 list(JOIN MANDELMARCH_NVPTX_OPTIONS " " MANDELMARCH_NVPTX_LINK)
-# For the link; append the folder.
+# Linker flags. Backends append MANDELMARCH_NVPTX_ASSEMBLER to them, as the value of -B.
 set(MANDELMARCH_NVPTX_LINK "-foffload-options=nvptx-none=${MANDELMARCH_NVPTX_LINK} -B")
-# Registers limit occupancy, so optimisations that keep values in registers over a whole loop are disabled: hoisted
-# invariants, redundancies across blocks. `make k40` reports the registers.
+# Registers limit occupancy. So the optimisations that keep values in registers over a whole loop are disabled: hoisting
+# of invariants, and elimination of redundancies across blocks. `make k40` reports the registers.
 set(MANDELMARCH_NVPTX_FEW_REGISTERS -O2 -fno-gcse -fno-tree-pre -fno-move-loop-invariants -fno-tree-loop-optimize)
 
 # mandelmarch_offloads(RESULT FLAG DIRECTIVE): checks whether g++ with the flag compiles a loop with the directive for

@@ -7,7 +7,7 @@ if(MANDELMARCH_SANITIZER STREQUAL "address")
     # source of intrinsics. The scalar sources contain the same kernel with all checks.
     set(MANDELMARCH_SANITIZER_packs -fno-sanitize=undefined -mllvm -asan-stack=0
         -mllvm -asan-instrumentation-with-call-threshold=0)
-    # Called, not inlined, estimators take a fifth of the time to build.
+    # Estimators that are called, not inlined, take a fifth of the time to build.
     set(MANDELMARCH_SANITIZER_scalar -DFN_CALLED=inline)
 elseif(MANDELMARCH_SANITIZER STREQUAL "thread")
     add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -D SETTINGS=build/release/packaging/settings.cmake -D BUNDLE=FOLDER [-D DRIVERS=OFF] [-D FFMPEG=FILE] -P
-# bundle.cmake: makes a new folder from what is built and installed here. `make bundle` also packs it.
+# bundle.cmake: makes a new bundle folder from the programs of a build and libraries installed here. `make bundle` also
+# makes its archive.
 cmake_minimum_required(VERSION 3.25)
 include(${SETTINGS})
 include(${CMAKE_CURRENT_LIST_DIR}/libraries.cmake)
@@ -50,11 +51,11 @@ foreach(name ${programs})
     file(CREATE_LINK mandelmarch ${BUNDLE}/bin/${name} SYMBOLIC)
 endforeach()
 
-# Their libraries: those they link, then those they load by name. libgomp finds its plugin, and OpenCL's loader PoCL, by
-# the paths of their own files.
+# The programs' libraries: those that they link, then those that they load by name. libgomp finds its plugin by
+# libgomp's own rpath, and OpenCL's loader finds PoCL by its own.
 set(roots ${BUNDLE_VULKAN_LOADER} ${BUNDLE_GOMP_NVPTX})
 carry_libraries(lib "$ORIGIN:$ORIGIN/drivers" "${program}" "${roots}")
-# In a separate folder, which gpu_steps adds to LD_LIBRARY_PATH on machines without these libraries.
+# The libraries of X11 are in a separate folder, which gpu_steps adds to LD_LIBRARY_PATH on machines without them.
 if(DEFINED BUNDLE_X11)
     carry_libraries(lib/x11 "$ORIGIN:$ORIGIN/.." "${program}" "${BUNDLE_X11};${BUNDLE_XEXT}")
 endif()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Copies libraries into the bundle, with relative paths. Needs BUNDLE, PATCHELF, CMAKE_OBJDUMP.
+# Copies libraries into the bundle and makes their rpaths relative. Needs BUNDLE, PATCHELF, CMAKE_OBJDUMP.
 
 # say_and_end(TEXT): fails with one line, which packaging/bundle prints.
 function(say_and_end text)
@@ -65,7 +65,7 @@ function(carry_files folder path)
     endforeach()
 endfunction()
 
-# needed_glibc(VARIABLE): the newest version of glibc's symbols that any file of the bundle needs.
+# needed_glibc(VARIABLE): sets VARIABLE to the newest version of glibc's symbols that any file of the bundle needs.
 function(needed_glibc variable)
     file(GLOB_RECURSE files ${BUNDLE}/bin/mandelmarch ${BUNDLE}/lib/*)
     execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${files} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)

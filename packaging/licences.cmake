@@ -2,8 +2,8 @@
 # Copies the licences of all bundled files, as Debian's packages state them, and lists them. Needs BUNDLE, DPKG_QUERY,
 # PROJECT_SOURCE_DIR.
 
-# package_of(VARIABLE FILE): the package that contains a file. Packages may list its path from before /lib became
-# /usr/lib.
+# package_of(VARIABLE FILE): sets VARIABLE to the package that contains FILE. Also looks for FILE under /lib, because a
+# package may still list a file there that is now under /usr/lib.
 function(package_of variable file)
     string(REGEX REPLACE "^/usr/lib" "/lib" old ${file})
     foreach(path ${file} ${old})
@@ -64,7 +64,7 @@ function(write_licences)
         file(SIZE ${BUNDLE}/${name} bytes)
         row(${name} ${bytes} ${package} ${version} share/licences/${package})
     endforeach()
-    # Libraries that are compiled in from headers only.
+    # Header-only libraries, which are compiled into the programs.
     foreach(header CLI/CLI.hpp nlohmann/json.hpp boost/version.hpp vulkan/vulkan_raii.hpp CL/opencl.hpp)
         if(EXISTS /usr/include/${header})
             package_of(package /usr/include/${header})

@@ -3,10 +3,10 @@
 """Exchanges cameras between path files and Blender.
 
 blender --python tools/blender_path.py -- load PATH.json                # make a camera with one keyframe per frame
-blender FILE.blend --python tools/blender_path.py -- save PATH.json NEW.json   # write PATH.json with the scene's camera
+blender FILE.blend --python tools/blender_path.py -- save PATH.json NEW.json   # PATH.json with the scene's camera
 
-mandelmarch's y is up if the path says so; axes are not converted. Blender's camera looks along its -z axis, and its y
-axis is the picture's up. field_of_view 1 is 65 degrees from the picture's bottom to its top."""
+Axes are not converted: if y is up in the path, y is up in Blender, too. Blender's camera looks along the camera's own
+-z axis, and the camera's y axis points to the picture's top. A field_of_view of 1 is a vertical angle of 65 degrees."""
 import json
 import math
 import sys
@@ -28,8 +28,8 @@ def unit(a):
 
 
 def matrix_of(frame):
-    """Returns the camera's matrix to the world, as rows of four: its columns are the axes right, up and back, and the
-    position."""
+    """Returns the matrix from the camera's coordinates to the world's, as rows of four. The columns are the camera's
+    axes right, up and back, and the position."""
     back = unit(minus(frame["location"], frame["look_at"]))
     right = unit(cross(frame["up"], back))
     columns = [right, cross(back, right), back, frame["location"]]
@@ -37,7 +37,7 @@ def matrix_of(frame):
 
 
 def camera_of(matrix):
-    """Returns location, look_at and up for such a matrix."""
+    """Returns location, look_at and up for a matrix such as matrix_of() returns."""
     column = [[matrix[row][index] for row in range(3)] for index in range(4)]
     return {"location": column[3], "look_at": minus(column[3], unit(column[2])), "up": unit(column[1])}
 

@@ -8,7 +8,7 @@ and b that they need (Harrell and Kitson, "Effective Performance Portability", P
 divergence (Pennycook, Sewall and others, "Navigating Performance, Portability and Productivity", Computing in Science &
 Engineering 23, 2021). Here each backend is a platform. It needs the lines of the files in its folder, and of those
 files in core/kernel and core/job that its sources name, directly or indirectly. Blank lines and comments do not count;
-lines that the preprocessor leaves out do. Backends that do not compile core/kernel (the reference) are left out.
+lines that the preprocessor skips do. Backends that do not compile core/kernel (the reference) are left out.
 Exit codes: 0 success, 1 a file cannot be written, 2 FOLDER is not a source tree of this program."""
 import argparse
 import csv
@@ -39,7 +39,7 @@ def lines_of_code(text):
 
 
 def count(coverage, folder=""):
-    """Returns the number of lines in the files of a folder."""
+    """Returns the number of lines of code in the files of a folder."""
     return sum(len(lines) for name, lines in coverage.items() if name.startswith(folder))
 
 
@@ -142,7 +142,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", nargs="?", default=ROOT, help="source tree (default: this program's)")
     parser.add_argument("--json", metavar="FILE", help="write the result to this file (-: standard output)")
-    parser.add_argument("--csv", metavar="FILE", help="write the lines for p3-analysis-library (-: standard output)")
+    parser.add_argument("--csv", metavar="FILE", help="write lines by backend for p3-analysis-library (-: standard output)")
     args = parser.parse_args()
     if args.json and args.json == args.csv:
         parser.error(f"--json and --csv: '{args.json}' given for both, expected two files")

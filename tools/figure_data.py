@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Result files for tools/figures.py, each read once, in the report's classes."""
+"""Reads result files for tools/figures.py, each once, into the report's classes."""
 import json
 import os
 import pathlib

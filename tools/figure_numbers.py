@@ -138,7 +138,7 @@ def rows_verified(results, study):
 
 
 def random_off(results, study, fractal, precision):
-    """Percentage of pixels of random scenes that differ visibly from the canonical picture, for each set."""
+    """Percentage of pixels of random scenes that differ visibly from the canonical picture: the range over the sets."""
     sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
     return range_of([s["off_percent"] for s in sums["sets"].values()], 2)
 
@@ -150,7 +150,7 @@ def far_off(results, study, fractal, precision):
 
 
 def audit(results, flight, name):
-    """A line of a flight's audit."""
+    """The value of an item of a flight's audit."""
     for row in results.json(flight)["rows"]:
         if row["name"] == name.replace("_", " "):
             return f"{row['value']:.3g}"

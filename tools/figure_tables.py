@@ -134,8 +134,7 @@ def random(results, study):
 
 
 def quotient(row, key):
-    """A speed-up with its interval; "-" if it was not timed, without an interval for a baseline compared with
-    itself."""
+    """Formats a speed-up with its interval; "-" if it was not timed; "1" for a baseline compared with itself."""
     value, interval = row.figures[key], row.figures[key + "_interval"]
     return "-" if value is None else "1" if value == 1 else with_interval(value, interval, digits)
 

@@ -3,8 +3,8 @@
 """figures.py [--check] [--results FOLDER] FILE...: fills the marked places of documents from result files.
 
 A place is `<!-- figures: NAME ARGUMENT... -->`, its content, `<!-- end -->`, within a line or around lines. The names
-are functions of figure_tables.py and figure_numbers.py. --check writes nothing, prints one line for each stale place,
-and fails.
+are functions of figure_tables.py and figure_numbers.py. --check writes nothing, and prints one line for each stale
+place.
 Exit codes: 0 success, 1 stale places, 2 an invalid place or result file."""
 import argparse
 import inspect

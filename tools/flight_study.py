@@ -4,13 +4,14 @@
 
 seeds: plans a full film for each seed and fractal. Writes FOLDER/flight_seeds.txt, a table of all audit items with
 their thresholds, and the audit and map of seed 1.
-samples: gain and cost of anti-aliasing. Renders stills of the first film of each fractal with 1 (softened), 2.25, 4 and
-9 samples per pixel and compares them with 64. Writes FOLDER/flight_samples.txt: root mean square difference in bytes
-(from imgdiff's PSNR), the fraction of visibly wrong pixels, seconds of rendering per frame.
-overhead: of a segment. Makes films of 10 and of 40 segments that are so small that rendering takes almost no time, in
-one process and, if mpirun exists, on 1, 2 and 4 ranks. The difference over 30 is the overhead of a segment, without
-that of the program's start. Writes FOLDER/flight_overhead.txt.
-Exit codes: 0 success, 1 a promise is broken or a program fails."""
+samples: measures the gain and cost of anti-aliasing. Renders stills of the first film of each fractal with 1 sample per
+pixel (which flythrough softens), 2.25, 4 and 9, and compares them with stills of 64 samples. Writes
+FOLDER/flight_samples.txt: root mean square difference in bytes (from imgdiff's PSNR), the fraction of visibly wrong
+pixels, seconds of rendering per frame.
+overhead: measures the overhead of a segment. Makes films of 10 and of 40 segments, so small that rendering takes almost
+no time, in one process and, if mpirun exists, on 1, 2 and 4 ranks. The difference of the two times, divided by 30, is
+the overhead of a segment without that of the program's start. Writes FOLDER/flight_overhead.txt.
+Exit codes: 0 success, 1 a promise (a hard limit of the audit) is broken or a program fails."""
 import argparse
 import glob
 import json
@@ -127,7 +128,8 @@ def study_samples(flythrough, imgdiff, folder):
 
 
 def launchers():
-    """Returns the commands that start the program: none, then mpirun with 1, 2 and 4 ranks."""
+    """Returns the ways to start the program, as (name, words before the program's): one process, and mpirun with 1, 2
+    and 4 ranks if it exists."""
     found = [("one process", [])]
     if shutil.which("mpirun"):
         found += [(f"mpirun -n {n}", ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(n)]) for n in (1, 2, 4)]

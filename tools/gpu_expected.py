@@ -51,7 +51,8 @@ GPUS = {
 
 
 def code_sizes(cubin):
-    """Returns the instructions per function of an sm_35 cubin: 8 bytes each; one word in eight is for the scheduler."""
+    """Returns the instructions per function of an sm_35 cubin. An instruction is a word of 8 bytes; one word in eight
+    is for the scheduler."""
     at, = struct.unpack_from("<Q", cubin, 40)
     entry, count, names = struct.unpack_from("<HHH", cubin, 58)
     sections = [struct.unpack_from("<IIQQQQ", cubin, at + i * entry) for i in range(count)]
@@ -65,7 +66,8 @@ def code_sizes(cubin):
 
 
 def expansion(operation, suffix):
-    """Returns the instructions of one division or square root on sm_35: the smaller of inlined and called code."""
+    """Returns the instructions of one division or square root on sm_35: of its inlined code or, if ptxas calls a
+    function, of a kernel's additional code for one."""
     def kernel(times):
         steps = "".join(f"{operation}.rn.{suffix} %a, {'%a, %b' if operation == 'div' else '%a'};\n" for _ in range(times))
         text = (f".version 3.1\n.target sm_35\n.address_size 64\n.visible .entry k(.param .u64 p) {{\n.reg .u64 %p;\n"

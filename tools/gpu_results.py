@@ -59,7 +59,7 @@ def expected_times(device):
 
 
 def rows_of(folder):
-    """Yields the timed configurations on a device from bench's results, with their backends."""
+    """Yields the timed and verified configurations in bench's results of the steps t-*."""
     for path in sorted(glob.glob(os.path.join(folder, "t-*.json"))):
         try:
             rows = json.loads(text_of(path))["rows"]
@@ -105,7 +105,7 @@ def page(folder, device, steps):
 
 
 def device_of(folder):
-    """Returns the GPU's name as reported by nvidia-smi, or else a backend."""
+    """Returns the GPU's name as nvidia-smi reports it, or else a backend."""
     if found := re.search(r"Product Name\s*:\s*(.+)", text_of(folder, "nvidia-smi.txt")):
         return found[1].strip()
     for path in sorted(glob.glob(os.path.join(folder, "seen-*.json"))):

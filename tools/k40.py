@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""k40.py PROGRAM [--table FILE]: checks the PTX of the OpenACC kernels in a built program, and prints registers, spills
-and threads per multiprocessor on the Tesla K40 and the H100, from NVIDIA's assembler. Assembles relocatable objects
-(ptxas -c), as the driver does with the code that gcc's run-time library passes to cuLinkAddData."""
+"""k40.py PROGRAM [--table FILE]: prints registers, spills and threads per multiprocessor of the OpenACC kernels in a
+built program on the Tesla K40 and the H100, from NVIDIA's assembler. Assembles relocatable objects (ptxas -c), as the
+driver does with the code that gcc's run-time library passes to cuLinkAddData. faults() checks the PTX, for tests."""
 import argparse
 import contextlib
 import os
@@ -19,7 +19,7 @@ PINNED = {"ptxas_11": "cuda_nvcc/bin/ptxas", "ptxas_13": "cu13/bin/ptxas", "nvdi
 BLOCK = 128  # threads: block_threads in core/job/job.h
 KERNEL = re.compile(r"(march|shade|bytes)_(\w+)_(float|double)_(exact|fast)\$_omp_fn\$0$")
 PEAK = re.compile(r"multiply_adds_(float|double)\$_omp_fn\$0$")  # device peak: fused on purpose
-# A declaration would end with a semicolon here.
+# The final brace excludes declarations, which end with a semicolon.
 ENTRY = re.compile(r"^\.entry (\S+) \([^)]*\)\s*(?:\.(?:maxntid|minnctapersm) [\d, ]+\s*)*\{", re.M)
 # A floating-point instruction: its name with all suffixes.
 OPERATION = re.compile(r"(?<![\w.%$])([a-z]\w*(?:\.\w+)*\.f(?:32|64)(?:\.\w+)*)(?=\s)")
@@ -74,7 +74,7 @@ def operation_faults(name, body, precision, mode):
 
 
 def faults(ptx, fractals):
-    """Returns the violations of docs/floating-point.md in a PTX module, in sentences."""
+    """Returns the violations of docs/floating-point.md in a PTX module, each as a line of text."""
     found = [f".target {target}" for target in re.findall(r"^\.target (\S+)", ptx, re.M) if target != "sm_35"]
     if re.search(r"^\.(visible )?func ", ptx, re.M):
         found.append("a function that is called instead of inlined")
@@ -137,7 +137,7 @@ def assembled(ptx, ptxas, architecture, options=()):
 
 
 def resources(ptx, ptxas, architecture):
-    """Returns for each kernel: registers, bytes of stack, bytes of spill stores and loads."""
+    """Returns for each kernel: registers, bytes of stack, bytes of spill stores and loads together."""
     with assembled(ptx, ptxas, architecture, ["-c"]) as (_, said):
         found = re.findall(r"Compiling entry function '(\S+)\$_omp_fn\$0'.*?(\d+) bytes stack frame, (\d+) bytes spill stores, "
                            r"(\d+) bytes spill loads.*?Used (\d+) registers", said, re.S)

@@ -119,7 +119,8 @@ def loops_of(following):
 
 
 def cycles(instructions, cycles_of_pipe):
-    """Returns the cycles of a warp's instructions: the larger of issue and the busiest pipe."""
+    """Returns the cycles of a warp's instructions: those for issuing all or those of the busiest pipe, whichever are
+    more."""
     busy = {}
     for one in instructions:
         busy[one.pipe] = busy.get(one.pipe, 0) + one.issue * cycles_of_pipe.get(one.pipe, 1)
@@ -135,9 +136,9 @@ ARITHMETIC = re.compile(r"[FD](ADD|MUL|FMA)$|(add|sub|mul|fma|div|sqrt)\..*f(32|
 
 def march_of(code, cycles_of_pipe, loops_outside=0):
     """Returns the cycles and instructions of a march's code. The estimator's loop is the shortest innermost loop that
-    computes and lies within another; for the Mandelbulb, that of a whole power. The march's loop is the smallest one
-    around it, with all paths but slow ones. `loops_outside`: loops around a pixel's march in every kernel; lanes refill
-    if there are more."""
+    contains arithmetic and lies within another loop; for the Mandelbulb, it is the loop for integer powers. The march's
+    loop is the smallest one around it, with all paths but slow ones. `loops_outside`: number of loops that every kernel
+    has around the march of a pixel; if there are more, lanes refill."""
     blocks, following = blocks_of(code)
     loops = loops_of(following)
 

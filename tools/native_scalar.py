@@ -85,7 +85,7 @@ def measured(programs, case, rounds, scratch):
 
 
 def same_bits(programs, case, scratch):
-    """Compares colours and depths before they are rounded to bytes."""
+    """Returns true if both programs give the same EXR picture: the colours not rounded to bytes, and the depths."""
     pictures = []
     for number, program in enumerate(programs):
         pictures.append(os.path.join(scratch, f"{number}.exr"))

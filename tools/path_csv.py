@@ -5,9 +5,10 @@ path_csv.py import PATH.json FILE.csv NEW.json
 
 export writes a path file's cameras as a table, one line per frame: frame, x, y, z of location, look_at and up,
 field_of_view, and, if a frame has one, the three numbers of its shape (line 7 of a parameter file). import writes
-NEW.json: PATH.json with the table's cameras and shapes, in the order of the column frame. Other members of PATH.json's
-frames are kept by frame number; frames beyond its last one take those of the last. Tables from spreadsheets are
-supported: with a byte-order mark or in UTF-16, with semicolons or tabs (and then decimal commas), with empty lines.
+NEW.json: PATH.json with the table's cameras and shapes, in the order of the column frame. A frame keeps the other
+members that PATH.json has for its number; a frame beyond PATH.json's last one gets those of the last. Tables from
+spreadsheets are supported: with a byte-order mark or in UTF-16, with semicolons or tabs (and then decimal commas), with
+empty lines.
 Exit code 2: a file cannot be read or is invalid."""
 import codecs
 import csv
@@ -70,8 +71,7 @@ def table_of(path):
 
 
 def rows_of(name):
-    """Returns the table's lines that are not empty, as (number, fields), with decimal points for any spreadsheet's
-    language."""
+    """Returns the table's lines that are not empty, as (number, fields). Decimal commas become points."""
     try:
         with open(name, "rb") as file:
             data = file.read()
@@ -91,7 +91,7 @@ def rows_of(name):
 
 
 def numbers_of(row, width, place):
-    """Returns a line's frame and its other numbers."""
+    """Returns the frame number of a line, and the line's other numbers."""
     try:
         values = [float(text) for text in row]
     except ValueError as error:

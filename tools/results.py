@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """results.py [FILE...]: measures all committed results again, or the given ones, from one clean revision.
 
-The list is results.txt. Prints the expected time, can be stopped at any time, and resumes there: finished results are
-kept in WORK/REVISION. Once complete, all results go to --output together, so that it never holds two revisions.
+tools/results.txt lists the results. Prints the expected time. Can be stopped at any time: finished results stay in
+WORK/REVISION, and the same command resumes. Copies the results to --output when all are finished, so that without FILE
+it never holds results of two revisions.
 Exit codes: 0 complete, 1 a command failed, 2 programs or sources are not from one clean revision, 130 stopped."""
 import argparse
 import json
@@ -60,7 +61,7 @@ STOPS = {signal.SIGINT, signal.SIGTERM}
 
 def code_of(command, output, variables):
     """Runs a command. If this program is stopped, stops the command and all its descendants, too."""
-    signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)  # until the process is known, so that it can be stopped
+    signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)  # until `process` is set, so that the handler can stop it
     with subprocess.Popen(command, stdout=output, env=os.environ | variables, start_new_session=True,
                           preexec_fn=lambda: signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)) as process:
         try:

@@ -5,7 +5,7 @@
 
 namespace mandelmarch::job {
 
-// Arguments of a launch, called a job. It renders rows [first_row, first_row + rows) of the picture. The job and its
+// Arguments of a launch, called a job. A job renders rows [first_row, first_row + rows) of the picture. The job and its
 // planes are in device memory; the planes have the layout of planes_of() in core/image/image.h. Scene is the kernel's
 // type.
 template <class Scene, class Real>

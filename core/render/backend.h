@@ -173,7 +173,7 @@ enum class Role {
 
 std::string_view name_of(Role role);  // "reference", "host", "accelerator", or "" for none
 
-// How a backend's kernels are compiled. mandelmarch_kernel_build() (cmake/Backend.cmake) sets it in the backend's
+// Compilation of a backend's kernels. mandelmarch_kernel_build() (cmake/Backend.cmake) sets it in the backend's
 // CMakeLists.txt.
 struct KernelBuild {
     std::string compiler = {};

@@ -110,7 +110,7 @@ struct FractalFast {
     // Refinement of a hit ends if |DE - tolerance t| is below this fraction of the tolerance. The value was chosen by
     // measuring how much pictures change.
     double root_share = 0.001;
-    // Cones are used if adjacent rays are at most this many tolerances apart.
+    // Cones (bundles of rays that march together) are used if adjacent rays are at most this many tolerances apart.
     double cone_pitch = 0;
     // Rays begin near the hits of surrounding pixels if these pixels' rays are at most this many tolerances apart.
     double neighbour_pitch = 0;
@@ -132,12 +132,12 @@ struct FractalFlight {
     Trust trust{};
     std::optional<Trust> conservative{};
     const Trust& trust_of(const Scene& scene) const;
-    // Returns the bounds of the fractal. If it returns nullopt, a sphere is found by casting rays.
+    // Returns the bounds of the fractal. If it returns nullopt, flight/field finds a sphere by casting rays.
     std::optional<Bounds> (*body)(const Scene& scene) = defaults::unknown_body;
     // Maps places that are equivalent under the fractal's symmetries to the one in the fundamental region.
     Vector (*representative)(const Scene& scene, Vector p) = defaults::representative;
-    // Returns true in a region that includes a fundamental region of the fractal's symmetries. Tours are searched only
-    // there, to save time.
+    // Returns true in a region that includes a fundamental region of the fractal's symmetries. The planner searches
+    // routes only there, to save time.
     bool (*worth_searching)(const Scene& scene, const Bounds& body, Vector p) = defaults::worth_searching;
     // Returns a unit vector, the upward direction of a level camera at `place`. `up` is the camera's up vector.
     Vector (*upward)(Vector place, Vector up) = defaults::upward;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int jpeg_quality = 95;
 
-// Handles an error of libjpeg. The handler must not return, so it jumps back to compress().
+// Error handler for libjpeg. It must not return, so it jumps back to compress().
 struct JpegErrors {
     jpeg_error_mgr manager;
     std::jmp_buf back;
@@ -32,8 +32,8 @@ struct JpegErrors {
     }
 };
 
-// Receives libjpeg's output and writes it to the file. Exceptions must not pass through C code, so the first file error
-// is stored.
+// Destination of libjpeg's output, which writes it to the file. Exceptions must not pass through C code, so it stores
+// the first file error.
 struct JpegSink {
     jpeg_destination_mgr manager;
     OutputFile* file;

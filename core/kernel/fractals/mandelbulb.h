@@ -3,8 +3,8 @@
 // multiplies the spherical angles by P. The estimate is DE = 0.5 ln(r) r / dr with the running derivative dr (Quilez,
 // "Mandelbulb", 2009).
 
-// Number of registers of a wide pack with AVX-512. Three hide the latency of an iteration, and fewer are spilled than
-// with four (docs/notes/experiments.md).
+// Number of registers of openmp's wide packs (vectors of pixels) with AVX-512. Three hide the latency of an iteration,
+// and cause fewer spills than four (docs/notes/experiments.md).
 #define MM_WIDE_REGISTERS_AVX3 3
 
 FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }

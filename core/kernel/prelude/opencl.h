@@ -72,7 +72,7 @@ typedef int whole;
 typedef int counter;
 typedef int scalar_whole;
 typedef bool mask;
-#undef any  // some drivers define one
+#undef any  // some drivers define a macro of this name
 #define any(on) (on)
 #define pick(on, a, b) ((on) ? (a) : (b))
 #define count(on) ((on) ? 1 : 0)
