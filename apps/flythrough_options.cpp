@@ -11,6 +11,7 @@
 #include "cli/backend_option.h"
 #include "cli/option_values.h"
 #include "apps/scene_options.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/version.h"
@@ -118,7 +119,8 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
         "film from a path file; film plans, prints the audit and renders.\n"
         "To continue an interrupted film, run the same command again. mpirun distributes the work among its ranks.\n"
         "Exit codes: 0 success, 1 failure or a broken promise, 2 wrong arguments or bad input, 77 backend not "
-        "available.");
+        "available." +
+        environment_help("flythrough"));
 }
 
 // Sets the pictures' size to that of --size or to the default, which depends on the other options.

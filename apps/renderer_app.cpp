@@ -18,6 +18,7 @@
 #include "apps/survey.h"
 #include "apps/trace/trace.h"
 #include "core/base/console.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/memory.h"
@@ -126,9 +127,10 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         "a screen), Z (length of the ray), steps and iterations.\n"
         "The field of view in a parameter file is vertical; 1 means 65 degrees.\n"
         "An existing file is replaced only after the new one is complete.\n"
-        "Exit codes: 0 success, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
+        "Exit codes: 0 success, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.{}",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
-        fixed_memory >> 20, ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20));
+        fixed_memory >> 20, ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20,
+        environment_help(program)));
     done = parse_arguments(app, program, argc, argv);
     if (done) return options;
     options.renderer.techniques = techniques_without(without);

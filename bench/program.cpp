@@ -4,6 +4,7 @@
 #include "cli/arguments.h"
 #include "cli/backend_option.h"
 #include "bench/command/commands.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 
@@ -47,7 +48,8 @@ int bench_program(const Registry& registry, int argc, char** argv)
     app.footer(
         "Options of a command stand after its name; `bench COMMAND --help` lists them.\n"
         "Exit codes: 0 success, 1 wrong picture, regression or failure, 2 wrong arguments, 77 the only selected "
-        "backend is not available. docs/bench-output.md explains every figure.");
+        "backend is not available. docs/bench-output.md explains every figure." +
+        environment_help("bench"));
     add_isolation_option(app);
     // The last value counts if an option is given twice.
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);

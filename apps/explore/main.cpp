@@ -15,6 +15,7 @@
 #include "cli/arguments.h"
 #include "cli/option_values.h"
 #include "core/base/console.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
@@ -57,7 +58,8 @@ Options parse_options(const Registry& registry, int argc, char** argv, std::opti
     app.add_option("--script", options.script, "run a script that simulates the user (see docs/explore.md)");
     app.footer(
         "Settings are kept in $XDG_CONFIG_HOME/mandelmarch/explore.json, except with --script.\n"
-        "Exit codes: 0 success, 1 failure, 2 wrong arguments or a bad script, 77 no display.");
+        "Exit codes: 0 success, 1 failure, 2 wrong arguments or a bad script, 77 no display." +
+        environment_help("explore"));
     done = parse_arguments(app, "explore", argc, argv);
     return options;
 }

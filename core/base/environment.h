@@ -74,7 +74,7 @@ std::string environment_variable(VariableName name);
 // Returns the names and values of the set variables that bench records.
 std::map<std::string, std::string> recorded_variables();
 
-// Returns text for --help: the project's own variables that the program reads.
+// Returns lines for the end of --help: the project's own variables that the program reads.
 std::string environment_help(std::string_view program);
 
 }  // namespace mandelmarch

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of environment variables is that of docs/environment.md, and nothing else reads the environment.
+#include "core/base/environment.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <vector>
+
+namespace mandelmarch {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source_folder = MANDELMARCH_SOURCE_DIR;
+
+std::string content_of(const fs::path& file)
+{
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Environment, ItsTableIsThatOfTheDocumentation)
+{
+    std::istringstream page(content_of(source_folder / "docs/environment.md"));
+    std::string line;
+    while (std::getline(page, line) && !line.starts_with("|--")) {
+    }
+    for (const Variables& row : variables) {
+        std::string expected;
+        for (const char* name : row.names) {
+            if (name != nullptr) expected += (expected.empty() ? "| `" : ", `") + std::string(name) + "`";
+        }
+        expected.append(" | ").append(row.readers).append(row.recorded ? " *" : "").append(" | ").append(row.meaning);
+        ASSERT_TRUE(std::getline(page, line));
+        EXPECT_TRUE(line.starts_with(expected)) << line << "\nexpected: " << expected;
+    }
+    EXPECT_TRUE(std::getline(page, line) && line.empty()) << "not in the table: " << line;
+}
+
+TEST(Environment, IsReadThroughItsTable)
+{
+    std::vector<fs::path> readers;
+    for (const char* folder : {"apps", "backends", "bench", "cli", "core", "flight", "packaging"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(source_folder / folder)) {
+            if (entry.is_regular_file() && content_of(entry).find("getenv(") != std::string::npos) {
+                readers.push_back(fs::relative(entry, source_folder));
+            }
+        }
+    }
+    EXPECT_EQ(readers, std::vector<fs::path>{"core/base/environment.cpp"});
+}
+
+TEST(Environment, HelpNamesAProgramsOwnVariables)
+{
+    EXPECT_NE(environment_help("flythrough").find("\n  MANDELMARCH_FONT: font file of the title"), std::string::npos);
+    EXPECT_EQ(environment_help("render").find("MANDELMARCH_FONT"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mandelmarch
