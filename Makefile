@@ -131,7 +131,7 @@ flight-study: build ## plan and audit SEEDS=10 flights through both fractals, fo
 	@python3 tools/flight_study.py bin report/results --seeds $(SEEDS)
 
 kill-test: flythrough ## check that a film killed at twenty random moments resumes unchanged (10 min, estimated)
-	@bash tests/flight/resume_test.sh bin/flythrough 20
+	@bash tests/cases.sh tests/flight/plans_test.sh killed $(CURDIR)/bin $(CURDIR) 20
 
 SECONDS ?= 600
 fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
