@@ -173,7 +173,7 @@ test_arguments() {
     local backend arguments
     for backend in openacc opencl vulkan; do
         "$bin/mandelbulb" --list-devices | grep -q "^$backend *unavailable: not built" || continue
-        expect 77 bulb --backend $backend --output new.bmp
+        expect 77 "$bin/mandelbulb" paramsBulb.dat --backend $backend --output new.bmp
         says 'not built'
     done
     expect 77 bulb --device 5 --output new.bmp
@@ -298,4 +298,24 @@ test_full_disk() {
     expect 1 bash -c "ulimit -f 8; exec '$bin/mandelbulb' paramsBulb.dat --size 200x200 --backend openmp --output kept.bmp"
     says 'File too large'
     same_file kept.bmp a.bmp
+}
+
+# Environment variables of the libraries do not override options: --device selects the device, not ACC_DEVICE_NUM.
+test_environment() {
+    local name number
+    MANDELMARCH_ISOLATION=maybe expect 2 "$bin/render" --list-devices
+    says "^MANDELMARCH_ISOLATION: 'maybe' given, expected on or off"
+    MANDELMARCH_BACKENDS=openmp,nonsense expect 2 "$bin/render" --list-devices
+    says "^MANDELMARCH_BACKENDS: 'nonsense' given, expected some of reference, openmp"
+    for name in OMP_STACKSIZE GOMP_STACKSIZE; do
+        expect 2 env $name=16k "$bin/mandelbulb" paramsBulb.dat $small --output s.bmp
+        says "^$name: '16k' given, expected at least 64K"
+    done
+    if "$bin/render" --list-devices | grep -q '^openacc *0: host'; then
+        for number in 0 1; do
+            ACC_DEVICE_NUM=$number expect 0 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend openacc \
+                --output number-$number.bmp
+        done
+        same_picture number-0.bmp number-1.bmp
+    fi
 }
