@@ -136,8 +136,8 @@ kill-test: flythrough ## check that a film killed at twenty random moments resum
 SECONDS ?= 600
 fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
 	@tools/build asan fuzzers render
-	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
-	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
+	@printf '%s\n' $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp)) | xargs -P "$$(nproc)" -n 1 \
+	    bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS)
 
 compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin

@@ -61,7 +61,9 @@ set_tests_properties(suite.asan PROPERTIES COST 4)
 foreach(name every_fractal_test equivalence_test)
     mandelmarch_test(suite.fractal.${name} WIDE COMMAND ${source}/build/fractal/bin/${name})
 endforeach()
-mandelmarch_script(suite.fractal.programs fractals/programs_test.sh WIDE
+set(programs render equivalence bench bench_random viewer flythrough)
+mandelmarch_cases(suite.fractal fractals/programs_test.sh WIDE ${programs}
     ARGUMENTS ${source}/build/fractal/bin ${CMAKE_CURRENT_SOURCE_DIR}/fractals)
-set_tests_properties(suite.fractal.every_fractal_test suite.fractal.equivalence_test suite.fractal.programs PROPERTIES
+list(TRANSFORM programs PREPEND suite.fractal.)
+set_tests_properties(suite.fractal.every_fractal_test suite.fractal.equivalence_test ${programs} PROPERTIES
     FIXTURES_REQUIRED fractal)

@@ -70,7 +70,7 @@ test_leave() { ends leave 'exit code 0'; }
 test_hang() {
     export MANDELMARCH_DEVICE_TIMEOUT=4
     for stage in load enumeration build launch map; do refused $stage hang 'no answer within 4 s' & done
-    drawn release hang
+    MANDELMARCH_DEVICE_TIMEOUT=10 drawn release hang
     listed enumeration hang 'no answer within 4 s'
     wait
 }
