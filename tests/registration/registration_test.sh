@@ -49,11 +49,6 @@ backends = result["environment"]["backends"]
 devices = subprocess.run([sys.argv[1] + "/render", "--list-devices"], capture_output=True, text=True).stdout
 listed = dict.fromkeys(line.split()[0] for line in devices.splitlines())
 assert [backend["name"] for backend in backends] == [*listed, "skeleton"], backends
-for backend in backends:
-    built = backend["unavailable"] != "not built"
-    for fact in "compiler", "flags_exact", "flags_fast":
-        assert bool(backend[fact]) == built, (backend["name"], fact)
 assert "-ffp-contract=off" in backends[-1]["flags_exact"], backends[-1]
-assert [b["name"] for b in backends if b["role"] == "reference"] == ["reference"], backends
 PY
 }
