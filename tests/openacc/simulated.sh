@@ -20,10 +20,15 @@ driver() {
         "${2:-$source/tests/openacc/simulated_cuda.c}" -lm -o "$1/libcuda.so.1"
 }
 
+# Several runs of this case may use the folder at once, so complete files are moved into it.
 test_driver() {
+    local new
     mkdir -p "$gpu"
-    "$python" "$source/tests/openacc/ptx_to_c.py" $wrote "$bin/mandelbulb" >"$gpu/kernels.h" || fail "translating the PTX"
-    driver "$gpu" || fail "building the driver"
+    new=$(mktemp -d -p "$gpu")
+    "$python" "$source/tests/openacc/ptx_to_c.py" $wrote "$bin/mandelbulb" >"$new/kernels.h" || fail "translating the PTX"
+    driver "$new" || fail "building the driver"
+    mv "$new"/* "$gpu"
+    rmdir "$new"
 }
 
 # In exact mode the PTX gives the scalar kernel's bits and does the same work.
