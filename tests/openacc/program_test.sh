@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Case run by tests/cases.sh with BIN SOURCE: without a GPU the programs report that the host renders, and reject a
+# Cases run by tests/cases.sh with BIN SOURCE: without a GPU the programs report that the host renders, and reject a
 # missing GPU. Pictures are tested in tests/models.
 bin=$1
 source=$2
@@ -16,4 +16,11 @@ test_without_a_gpu() {
     expect 0 bulb auto --output c.png --stats c.json
     says '^backend openmp: openacc has no GPU'
     grep -q '"backend": "openmp"' c.json || fail "auto took another backend than openmp"
+}
+
+# --device selects the device, not the library's variable.
+test_device_number() {
+    local number
+    for number in 0 1; do ACC_DEVICE_NUM=$number expect 0 bulb openacc --output $number.bmp; done
+    same_picture 0.bmp 1.bmp
 }

@@ -300,9 +300,8 @@ test_full_disk() {
     same_file kept.bmp a.bmp
 }
 
-# Environment variables of the libraries do not override options: --device selects the device, not ACC_DEVICE_NUM.
 test_environment() {
-    local name number
+    local name
     MANDELMARCH_ISOLATION=maybe expect 2 "$bin/render" --list-devices
     says "^MANDELMARCH_ISOLATION: 'maybe' given, expected on or off"
     MANDELMARCH_BACKENDS=openmp,nonsense expect 2 "$bin/render" --list-devices
@@ -311,11 +310,4 @@ test_environment() {
         expect 2 env $name=16k "$bin/mandelbulb" paramsBulb.dat $small --output s.bmp
         says "^$name: '16k' given, expected at least 64K"
     done
-    if "$bin/render" --list-devices | grep -q '^openacc *0: host'; then
-        for number in 0 1; do
-            ACC_DEVICE_NUM=$number expect 0 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend openacc \
-                --output number-$number.bmp
-        done
-        same_picture number-0.bmp number-1.bmp
-    fi
 }
