@@ -35,10 +35,10 @@ namespace {
 using namespace mandelmarch;
 
 constexpr int film_look = 3;                 // the default look (colouring type) of a film
-constexpr std::size_t long_flight = 20'000;  // frames; the audit of a longer flight takes long and is announced
+constexpr std::size_t long_flight = 20'000;  // frames; a message announces the audit of a longer flight
 
-// Returns the scene to fly through: that of the parameter file, or the official one. Its camera is not used.
-// `warns`: warnings about the file are printed.
+// Returns the scene to fly through: that of the parameter file or, without one, the official scene. The scene's camera
+// is not used. `warns`: prints warnings about the file.
 Scene scene_of(const Flythrough& options, bool warns = false)
 {
     const Fractal& fractal = fractal_named(options.fractal);
@@ -100,7 +100,7 @@ void tell_audit(const Path& path)
     if (path.frames.size() >= long_flight) say("audit: {} frames\n", path.frames.size());
 }
 
-// Returns true if stdout writes to this file, unless that is a terminal or another character device.
+// Returns true if stdout is redirected to this file; false for a terminal or another character device.
 bool goes_to_stdout(const std::string& file)
 {
     struct stat named {};
@@ -110,7 +110,7 @@ bool goes_to_stdout(const std::string& file)
 }
 
 // Audits the path, prints the result and writes it to the file of --json, if given. Prints to stdout, or to stderr if
-// an output file goes to stdout. Returns true if every promise is kept.
+// an output file goes to stdout. Returns true if every promise (a hard limit) is kept.
 bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend,
                 const RendererOptions& renderer)
 {

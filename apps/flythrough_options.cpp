@@ -29,7 +29,7 @@ const std::string& name_of(Command command)
     return std::ranges::find(commands, command, &std::pair<std::string, Command>::second)->first;
 }
 
-// Values of options that mean different things in different commands.
+// Values of options whose meaning depends on the command.
 struct Given {
     std::optional<std::variant<int, Range>> frames;  // a number of frames, or a range of a path's frames
     std::optional<int> rate;
@@ -61,7 +61,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     add_fractal_option(app, options.fractal)->capture_default_str();
     app.add_option("--params", options.parameters,
                    "plan, film: take the fractal, not the camera, from this parameter file (.dat)");
-    app.add_option("--seed", options.seed, "random seed of the planned route")
+    app.add_option("--seed", options.seed, "plan, film: random seed of the route")
         ->check(whole(0, std::int64_t{1} << 53))
         ->capture_default_str();
     const std::string changing = " in flight: A, A:B (first to last frame) or 0s=A,60s=B (at seconds)";
@@ -70,7 +70,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     add_estimate_option(app, options.conservative);
     app.add_option_function<std::string>(
         "--frames", [&](const std::string& text) { given.frames = frames_option(text); },
-        "plan, film: length without the title (default: 4 minutes); render: only frames A-B, from 0");
+        "plan, film: number of frames, without the title (default: 4 minutes); render: only frames A-B, from 0");
     app.add_option("--fps", given.rate, "plan, film: frames per second, recorded in the path file (default 30)")
         ->check(whole(1, most_frames_per_second));
     app.add_option_function<std::string>(
@@ -82,20 +82,25 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
         ->check(real(1, 8))
         ->capture_default_str();
     add_backend_option(app, options.backend, registry);
-    app.add_option("--device", options.device, "device of that backend, from 0 (default: each MPI rank its own GPU)")
+    app.add_option("--device", options.device,
+                   "device of that backend, from 0 (default: each MPI rank uses its own GPU)")
         ->check(whole(0, 1'000'000));
     add_precision_options(app, options.renderer);
     add_threads_option(app, options.threads);
-    app.add_option("--look", options.look, "look, a colouring type from 0 to 4 (default: 3, or the path file's)")
+    app.add_option("--look", options.look,
+                   "look, a colouring type from 0 to 4 (default: plan, film: 3; render: the path file's)")
         ->check(whole(0, colouring_types - 1));
     app.add_option("--output", options.output,
-                   "path file (default path.json) or film: .mp4, .mkv, .webm or .gif (default video.mp4)");
+                   "plan: path file (default path.json); film, render: .mp4, .mkv, .webm or .gif (default video.mp4)");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
-    app.add_option("--map", options.map,
-                   "plan, film: write balls, gates and per-frame clearance to this file, as JSON");
+    app.add_option(
+        "--map", options.map,
+        "plan, film: write the free spheres (balls) and narrow passages (gates) of the planner, and the clearance "
+        "at every frame, to this file, as JSON");
     app.add_option("--summary", options.summary,
                    "film, render: write device, frames and seconds per frame to this file, as JSON");
-    app.add_option("--title", options.title, "first line of the title; no title without --title and --authors");
+    app.add_option("--title", options.title,
+                   "first line of the title; without --title and --authors there is no title");
     app.add_option("--authors", options.authors, "second line of the title");
     app.add_option("--stills", options.stills, "write still frames to this folder instead of a film");
     add_choice(app, "--still-format", options.jpeg, {{"png", false}, {"jpeg", true}}, "format of stills");
@@ -105,8 +110,9 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     app.add_option_function<std::string>(
         "--segments",
         [&](const std::string& text) { options.segments = range_option("segments", text, "A-B, such as 0-9"); },
-        "render only segments A-B (60 frames each, from 0); do not join");
-    app.add_flag("--force", options.force, "render although the path breaks a promise");
+        "render only segments A-B (60 frames each, from 0), and do not join them into a film");
+    app.add_flag("--force", options.force,
+                 "render even if the path exceeds a hard limit of the audit (a promise, marked ! in its output)");
     app.footer(
         "Commands: plan writes a path file and prints its audit; audit prints the audit of a path file; render makes a "
         "film from a path file; film plans, prints the audit and renders.\n"

@@ -33,7 +33,7 @@ struct Flythrough {
     bool conservative = true;  // plan, film: the kind of estimate; a path file contains its own
     std::string backend = "auto";
     RendererOptions renderer{.precision = Precision::f32, .mode = Mode::fast};
-    std::optional<int> device;  // nullopt: each MPI rank its own GPU
+    std::optional<int> device;  // nullopt: each MPI rank uses its own GPU
     int threads = 0;
     std::optional<int> look;
     std::string power, scale;  // schedules of these shape parameters as text, see parse_schedule(); empty: not given
@@ -46,7 +46,7 @@ struct Flythrough {
     // Returns true if the command reads the path from a file; false: it plans the path.
     bool reads_path() const { return command == Command::render || command == Command::audit; }
     Picture picture() const { return {width, height, samples, look, projection, stereo}; }
-    // Return the files that the command writes, and those that it reads, with their options. The name of a file is
+    // Return the files that the command writes, and those that it reads, each with its option. The name of a file is
     // empty if its option is not given.
     std::vector<NamedFile> written() const;
     std::vector<NamedFile> read() const;

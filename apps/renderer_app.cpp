@@ -90,7 +90,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_option("--region", options.region,
                    "render only this part: X,Y,WIDTH,HEIGHT in pixels from the bottom left");
     app.add_option("--samples", options.samples,
-                   "samples per pixel side, 1 to 8; 2 means 4 per pixel (default 1, or 2 if PARAMS asks for "
+                   "samples per pixel side, 1 to 8; 2 means 4 per pixel (default 1, or 2 if PARAMS sets "
                    "super-sampling)")
         ->check(whole(1, most_samples));
     add_threads_option(app, options.renderer.threads);
@@ -110,17 +110,21 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_flag("--list-devices", options.list_devices, "list backends and devices instead of rendering");
     auto* list = app.add_flag("--list-fractals", options.list_fractals,
                               "list fractals and their parameters instead of rendering");
-    app.add_flag("--json", options.json, "print --list-fractals as JSON, with the formulas of constants")->needs(list);
-    app.add_flag("--print-scene", options.print_scene,
-                 "print the scene as passed to kernels, before any trial, as JSON instead of rendering");
+    app.add_flag("--json", options.json,
+                 "print --list-fractals as JSON, with the formulas of each fractal's kernel constants")
+        ->needs(list);
+    app.add_flag(
+        "--print-scene", options.print_scene,
+        "print, as JSON, the scene that kernels receive, with the step factor as it is before a trial render can "
+        "shorten it; renders nothing");
     app.footer(fmt::format(
-        "Memory: {} bytes per pixel, for EXR {} ({} more into a pipe), plus about {} MiB; 16384 x 16384 pixels take {} "
-        "MiB as BMP or PNG. With --samples N, each sample takes as much as a pixel.\n"
+        "Memory: {} bytes per pixel; for an EXR file {}, and {} more if it goes into a pipe; plus about {} MiB in all. "
+        "16384 x 16384 pixels need {} MiB as BMP or PNG. With --samples N, each sample needs as much as a pixel.\n"
         "With --region, --size may have sides of up to 1000000 pixels. In exact mode a region has the same bits as in "
         "the whole picture.\n"
-        "Channels of an EXR: R, G, B (linear light, Rec. 709), displayed.R, displayed.G, displayed.B (as shown), Z "
-        "(length of the ray), steps and iterations.\n"
-        "The field of view of a parameter file is vertical, in units of 65 degrees.\n"
+        "Channels of an EXR file: R, G, B (linear light, Rec. 709), displayed.R, displayed.G, displayed.B (as shown on "
+        "a screen), Z (length of the ray), steps and iterations.\n"
+        "The field of view in a parameter file is vertical; 1 means 65 degrees.\n"
         "An existing file is replaced only after the new one is complete.\n"
         "Exit codes: 0 success, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.",
         Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
@@ -149,7 +153,7 @@ void apply_size(const Options& options, Scene& scene)
     std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
 }
 
-// Returns the format for a file name. `commented`: the name comes from a parameter file, from a line with a comment.
+// Returns the format for a file name. `commented`: the name comes from a line of a parameter file that has a comment.
 ImageFormat format_of(const std::string& path, bool commented)
 {
     if (const auto format = image_format(path)) return *format;
@@ -193,11 +197,9 @@ void check_memory(const Drawing& drawing, ImageFormat format, bool stream)
     const std::uint64_t per_pixel =
         Image::bytes_per_pixel(layers_of(format)) + (stream && format == ImageFormat::exr ? exr_stream_memory : 0);
     const std::uint64_t needed = pixels * per_pixel + fixed_memory;
-    const std::uint64_t available = available_memory();
-    if (needed <= available) return;
-    throw InputError(fmt::format(
-        "{} x {} pixels need {} MiB of memory and {} MiB are available, expected a smaller size, or regions (--region)",
-        drawing.region.width, drawing.region.height, needed >> 20, available >> 20));
+    const std::string size = fmt::format("{} x {} pixels", drawing.region.width, drawing.region.height);
+    const std::string lack = memory_shortage(size, needed);
+    if (!lack.empty()) throw InputError(lack + ", expected a smaller size, or regions (--region)");
 }
 
 std::pair<Image, RenderStats> draw(Renderer& renderer, const Drawing& drawing, double eyes, Image::Layers layers,
@@ -226,14 +228,15 @@ bool list_devices(const Registry& registry)
     return ok;
 }
 
-// Warns that the picture would change with shorter steps. `off`: the fraction of a trial's pixels that would change.
+// Warns that the picture would change with shorter steps. `off`: the fraction of a trial's pixels that do change.
 void warn_unsettled(const char* program, double off, Precision precision)
 {
     say("{}: shorter steps would change {:.0f} % of the picture: {}the distance estimate is too large\n", program,
         100 * off, precision == Precision::f32 ? "float's digits are too few (--precision double has more) or " : "");
 }
 
-// Prints the trace of a pixel's ray. In fast mode, a trial on the backend first chooses the step factor.
+// Prints the trace of a pixel's ray. In fast mode, a trial render on the backend first chooses the step factor
+// (core/render/trial.h).
 void print_trace(const char* program, const Options& options, const Registry& registry, Scene scene)
 {
     const std::string expected = fmt::format("X,Y of a pixel, from 0,0 at the bottom left to {},{} at the top right",

@@ -27,7 +27,7 @@ FractalInputs<Formula> named_inputs()
             .conservative = Formula::input("conservative")};
 }
 
-// Returns a shape parameter with its slider in the report's viewer, which is null if the parameter is unused.
+// Returns a shape parameter with its slider in the report's viewer. The slider is null if the parameter is unused.
 Json of(const ParameterInfo& meaning, double official)
 {
     Json slider;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON of all fractals with their formulas, which the report's viewer uses, and JSON of a scene as passed to kernels,
-// against which the viewer is tested (docs/report-internals.md).
+// Two kinds of JSON for the report's viewer (docs/report-internals.md): all fractals with their formulas, which the
+// viewer uses, and a scene as kernels receive it, with which tests compare the viewer's.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace mandelmarch {
 
-// Returns the slider for a number whose official value is given. If the fractal's descriptor does not set one, the
+// Returns the slider for a parameter whose official value is given. If the fractal's descriptor does not set one, the
 // slider covers values around the official one.
 ParameterInfo::Slider slider_of(const ParameterInfo& meaning, double official);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options of several programs: --fractal, --threads, --precision and --mode, and --estimate and --projection, which set
-// properties of a scene that a parameter file does not contain.
+// Options that several programs share. --estimate and --projection set properties of a scene that a parameter file does
+// not contain.
 #pragma once
 
 #include <fmt/format.h>
@@ -34,9 +34,11 @@ inline void add_threads_option(CLI::App& app, int& threads)
 // Adds --estimate. `conservative`: true for the fractal's conservative estimate.
 inline void add_estimate_option(CLI::App& app, bool& conservative)
 {
-    add_choice(app, "--estimate", conservative,
-               {{std::string(original_estimate), false}, {std::string(conservative_estimate), true}},
-               "distance estimate; original: that of the original program, conservative: rarely above the distance");
+    add_choice(
+        app, "--estimate", conservative,
+        {{std::string(original_estimate), false}, {std::string(conservative_estimate), true}},
+        "distance estimate; original: as in the program that exact mode follows; conservative: rarely more than the "
+        "true distance");
 }
 
 inline void add_projection_option(CLI::App& app, Projection& projection)

@@ -12,15 +12,14 @@ namespace mandelmarch {
 struct Survey {
     int rays = 0;
     double hit = 0;           // fraction of rays that hit the surface
-    double out_of_steps = 0;  // fraction of rays that used up all their steps and hit nothing
+    double out_of_steps = 0;  // fraction of rays that reached the maximum number of steps without a hit
     bool inside = false;      // the eye is inside the solid: the orbit of its position does not escape
     double lost = 0;          // float: fraction of pixels that differ visibly from the picture in double; double: 0
 };
 
 // Surveys the scene as rendered by `renderer`, which was created with `options`. If the precision is float, the backend
 // `other` renders the scene in double for comparison. `eyes`: distance of the two eyes, over which results are
-// averaged;
-// 0: one eye.
+// averaged; 0: one eye.
 Survey survey_of(const Scene& scene, double eyes, const RendererOptions& options, Renderer& renderer,
                  const Backend& other);
 

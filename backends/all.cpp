@@ -5,17 +5,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <span>
 #include <string_view>
 
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/isolation/isolated.h"
 #include "core/render/trial.h"
 
 namespace mandelmarch {
 
-// A backend's name and the function that makes it, which is defined in the backend's folder; nullptr: not built.
+// A backend's name, and the function that makes the backend; nullptr: the backend was not built.
 struct Registration {
     std::string_view name;
     std::unique_ptr<Backend> (*make)();
@@ -24,15 +24,9 @@ struct Registration {
 
 namespace {
 
-std::string_view variable(const char* name)
-{
-    const char* text = std::getenv(name);
-    return text != nullptr ? text : "";
-}
-
 bool isolates(std::span<char*> arguments)
 {
-    const std::string_view isolation = variable("MANDELMARCH_ISOLATION");
+    const std::string isolation = environment_variable("MANDELMARCH_ISOLATION");
     if (!isolation.empty() && isolation != "off" && isolation != "on") {
         throw InputError(fmt::format("MANDELMARCH_ISOLATION: '{}' given, expected on or off", isolation));
     }
@@ -41,12 +35,13 @@ bool isolates(std::span<char*> arguments)
 }
 
 // Returns the names in MANDELMARCH_BACKENDS. If it is not set, the list is empty and all backends are allowed.
-std::vector<std::string_view> opened_backends()
+std::vector<std::string> opened_backends()
 {
-    std::vector<std::string_view> names;
-    for (std::string_view rest = variable("MANDELMARCH_BACKENDS"); !rest.empty();) {
+    std::vector<std::string> names;
+    const std::string text = environment_variable("MANDELMARCH_BACKENDS");
+    for (std::string_view rest = text; !rest.empty();) {
         const std::size_t comma = std::min(rest.find(','), rest.size());
-        names.push_back(rest.substr(0, comma));
+        names.emplace_back(rest.substr(0, comma));
         rest.remove_prefix(std::min(comma + 1, rest.size()));
         if (std::ranges::find(registrations, names.back(), &Registration::name) != std::end(registrations)) continue;
         std::vector<std::string_view> known;
@@ -57,7 +52,7 @@ std::vector<std::string_view> opened_backends()
     return names;
 }
 
-Registry backends_of(bool isolates_drivers, const std::vector<std::string_view>& opened)
+Registry backends_of(bool isolates_drivers, const std::vector<std::string>& opened)
 {
     std::vector<std::unique_ptr<Backend>> backends;
     const auto add = [&](std::unique_ptr<Backend> backend) {

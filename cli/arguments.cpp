@@ -8,7 +8,7 @@
 namespace mandelmarch {
 namespace {
 
-// Names of version 1, which stay valid for one release.
+// Old names of options, which stay valid for one release.
 struct OldOption {
     std::string_view old_name, new_name;
 };
@@ -44,7 +44,7 @@ std::string with_new_values(const std::string& option, const std::string& value)
     return made;
 }
 
-// Returns the arguments with today's names.
+// Returns the arguments with old names replaced by new ones.
 std::vector<std::string> with_new_names(int argc, char** argv)
 {
     std::vector<std::string> words;
@@ -67,7 +67,7 @@ std::vector<std::string> with_new_names(int argc, char** argv)
 std::optional<int> parse_arguments(CLI::App& app, const std::string& program, int argc, char** argv)
 {
     std::vector<std::string> words = with_new_names(argc, argv);
-    std::ranges::reverse(words);  // as CLI11 takes them
+    std::ranges::reverse(words);  // CLI11 takes the last argument first
     try {
         app.parse(std::move(words));
     } catch (const CLI::Success& answer) {  // --help, --version

@@ -11,9 +11,8 @@
 
 namespace mandelmarch {
 
-// Parses the arguments, in which names of older versions may stand for today's. Returns the exit code if the program
-// should end, after --help or --version. Throws InputError, which begins with the program's name, for invalid
-// arguments.
+// Parses the arguments, which may contain old names of options and values. Returns the exit code if the program should
+// end, after --help or --version. Throws InputError for invalid arguments; the message begins with `program`.
 std::optional<int> parse_arguments(CLI::App& app, const std::string& program, int argc, char** argv);
 
 // Adds an option that sets `value` to one of the named values.

@@ -17,7 +17,7 @@ void add_backend_option(CLI::App& app, std::string& name, const Registry& regist
 void add_isolation_option(CLI::App& app);
 
 // Returns the backend called `name`. If `name` is "auto", chooses a backend and, if `tells` is true, prints the choice
-// with its reason. A choice that does not support the options is replaced by the host's backend.
+// with its reason. Chooses the host's backend if the GPU's backend does not support the options.
 const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells,
                               const RendererOptions& options = {});
 

@@ -11,16 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "core/base/environment.h"
+
 namespace mandelmarch {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_set(const char* name)
-{
-    const char* value = std::getenv(name);
-    return value != nullptr && *value != '\0';
-}
+bool is_set(VariableName name) { return !environment_variable(name).empty(); }
 
 bool is_there(const fs::path& path)
 {
@@ -28,9 +26,9 @@ bool is_there(const fs::path& path)
     return fs::exists(path, ignored);
 }
 
-void name_file(const char* variable, const fs::path& file)
+void name_file(VariableName variable, const fs::path& file)
 {
-    if (!is_set(variable) && is_there(file)) setenv(variable, file.c_str(), 1);
+    if (!is_set(variable) && is_there(file)) setenv(variable.text, file.c_str(), 1);
 }
 
 std::vector<fs::path> files_of(const fs::path& folder, const char* extension)
@@ -90,7 +88,7 @@ void add_opencl(const fs::path& pocl, const fs::path& tools)
     const fs::path folder = alone ? pocl.parent_path() : folder_of_links(files);
     if (folder.empty()) return;
     setenv("OCL_ICD_VENDORS", folder.c_str(), 1);
-    const std::string others = is_set("PATH") ? std::getenv("PATH") : "/usr/local/bin:/usr/bin:/bin";
+    const std::string others = is_set("PATH") ? environment_variable("PATH") : "/usr/local/bin:/usr/bin:/bin";
     setenv("PATH", (tools.string() + ":" + others).c_str(), 1);
 }
 
@@ -103,8 +101,7 @@ void add_vulkan(const fs::path& lavapipe)
             if (contents(file).find("libvulkan_lvp") != std::string::npos) return;
         }
     }
-    const std::string others =
-        is_set("VK_ADD_DRIVER_FILES") ? std::getenv("VK_ADD_DRIVER_FILES") + std::string(":") : "";
+    const std::string others = is_set("VK_ADD_DRIVER_FILES") ? environment_variable("VK_ADD_DRIVER_FILES") + ":" : "";
     if (others.find(lavapipe.string() + ":") != std::string::npos) return;
     setenv("VK_ADD_DRIVER_FILES", (others + lavapipe.string()).c_str(), 1);
 }

@@ -74,7 +74,7 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
     return settings;
 }
 
-// Ends the process without calling destructors, because a driver that does not respond could block them.
+// Ends the process without calling destructors, because a driver that does not respond could make them wait for ever.
 [[noreturn]] void leave(int code)
 {
     std::fflush(nullptr);

@@ -35,8 +35,8 @@ std::string line_of(const Trace& trace, std::size_t index, const TracedSample& s
                    number(trace, sample.tolerance), decided);
 }
 
-// Returns a sample's decision in words. `from`: the sample from which the next step is made; it is an earlier one if
-// this sample is taken back.
+// Describes in words what the ray does after a sample. `from`: the sample from which the next step is made: this one
+// or, if the step to it was too long and is taken back, an earlier one.
 std::string decided(const Trace& trace, const TracedSample& sample, const TracedSample& from)
 {
     std::string step = fmt::format("step of {:.4g} DE", (sample.next - from.t) / from.distance);
@@ -59,7 +59,7 @@ std::string_view words(Refined refined)
     switch (refined) {
         case Refined::close: return "done: near enough";
         case Refined::no_number: return "done: no number is left between the ends";
-        case Refined::out_of_roots: return "ended: out of roots";
+        case Refined::out_of_roots: return "ended: the maximum number of samples was reached";
         default: return "";
     }
 }
@@ -69,9 +69,9 @@ std::string head(const Trace& trace)
     std::string text =
         fmt::format("pixel {},{} of {} x {}, from the bottom left; {}, {}; by the scalar kernel\n", trace.x, trace.y,
                     trace.width, trace.height, name_of(trace.precision), name_of(trace.mode));
-    text += fmt::format("stride {} DE", number(trace, trace.step_factor));
+    text += fmt::format("step factor {}", number(trace, trace.step_factor));
     if (trace.relaxation > trace.step_factor)
-        text += fmt::format(", relaxed up to {} DE", number(trace, trace.relaxation));
+        text += fmt::format(", relaxed up to {}", number(trace, trace.relaxation));
     text += fmt::format("\ndirection {}\n", three(trace, trace.direction));
     if (trace.end < trace.begin) return text + "no sample: the ray misses the scene\n";
     text += fmt::format("samples from t {} to t {} at most\n", number(trace, trace.begin), number(trace, trace.end));

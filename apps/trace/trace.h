@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traces one pixel's ray step by step with the scalar kernel.
+// Traces one pixel's ray step by step with the scalar kernel (the kernel in plain C++, one pixel at a time).
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ enum class Decision {
 
 // The reason why refinement ended.
 enum class Refined {
-    never,      // the hit was not refined: exact mode, no hit, or no sample before the hit
-    close,      // DE is close enough to the tolerance, or the bracket is short enough
-    no_number,  // the bracket's ends are adjacent floating-point numbers
-    out_of_roots
+    never,        // the hit was not refined: exact mode, no hit, or no sample before the hit
+    close,        // DE is close enough to the tolerance, or the bracket is short enough
+    no_number,    // the bracket's ends are adjacent floating-point numbers
+    out_of_roots  // the maximum number of DE evaluations was made
 };
 
 // One sample of a ray. Lengths are in the scene's units. `tolerance` is the tolerance used for the decision; for a
@@ -46,7 +46,7 @@ struct Trace {
     int x, y;            // pixels from the bottom left
     int width, height;   // pixels; size of the picture
     double step_factor;  // length of a plain step, in distance estimates
-    double relaxation;   // largest step factor of a relaxed step; there are none if it does not exceed `step_factor`
+    double relaxation;   // largest step factor; steps are relaxed only if it exceeds `step_factor`
     std::array<double, 3> direction;
     double begin, end;  // t of the first sample, and the largest t of a sample; no samples if end < begin
     std::vector<TracedSample> marching, refining;

@@ -29,7 +29,7 @@ CUdeviceptr device_address(const void* address) { return reinterpret_cast<CUdevi
 int attribute(CUdevice device, CUdevice_attribute which)
 {
     int value = 0;
-    check(driver().cuDeviceGetAttribute(&value, which, device), "asking what the device is");
+    check(driver().cuDeviceGetAttribute(&value, which, device), "querying the device's attributes");
     return value;
 }
 
@@ -40,7 +40,6 @@ public:
     {
         return {.has_driver = true,
                 .block_size = true,
-                .variables = {"CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE", "CUDA_DEVICE_ORDER"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override
@@ -63,8 +62,8 @@ public:
         int version = 0;
         check(driver().cuDeviceGet(&device, index), "finding the device");
         check(driver().cuDeviceGetName(name.data(), static_cast<int>(name.size()), device),
-              "asking for the device's name");
-        check(driver().cuDriverGetVersion(&version), "asking for the driver's version");
+              "querying the device's name");
+        check(driver().cuDriverGetVersion(&version), "querying the driver's version");
         const int capability = 10 * attribute(device, CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MAJOR) +
                                attribute(device, CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MINOR);
         check(driver().cuDevicePrimaryCtxRetain(&context, device), "opening the device");
@@ -106,7 +105,7 @@ public:
     {
         std::size_t free = 0;
         std::size_t total = 0;
-        check(driver().cuMemGetInfo(&free, &total), "asking for the device's memory");
+        check(driver().cuMemGetInfo(&free, &total), "querying the device's memory");
         return free;
     }
     void* allocate(std::size_t bytes) const override
@@ -114,7 +113,7 @@ public:
         CUdeviceptr address = 0;
         const CUresult result = driver().cuMemAlloc(&address, bytes);
         if (result == CUDA_ERROR_OUT_OF_MEMORY) return nullptr;
-        check(result, "taking memory of the device");
+        check(result, "allocating device memory");
         return reinterpret_cast<void*>(address);
     }
     void release(void* address) const override { driver().cuMemFree(device_address(address)); }

@@ -44,7 +44,7 @@ struct Driver {
 
 const Driver& driver();
 
-// Throws Error, which names the failed action, unless the result is CUDA_SUCCESS.
+// Throws Error with `what`, the failed action, unless the result is CUDA_SUCCESS.
 void check(CUresult result, const char* what);
 
 }  // namespace mandelmarch::cuda

@@ -10,7 +10,7 @@ namespace {
 
 // Settings of the calling thread.
 struct OfThread {
-    std::vector<KernelResources>* told = nullptr;  // collects the result of loaded_by(); null outside it
+    std::vector<KernelResources>* told = nullptr;  // collects the result of loaded_by(); null if it is not running
     int block = job::block_threads;
 };
 
@@ -23,14 +23,14 @@ OfThread& of_thread()
 int attribute(CUfunction function, CUfunction_attribute which)
 {
     int value = 0;
-    check(driver().cuFuncGetAttribute(&value, which, function), "asking what a kernel needs");
+    check(driver().cuFuncGetAttribute(&value, which, function), "querying a kernel's attributes");
     return value;
 }
 
 std::string too_old()
 {
     int version = 0;
-    check(driver().cuDriverGetVersion(&version), "asking for the driver's version");
+    check(driver().cuDriverGetVersion(&version), "querying the driver's version");
     return fmt::format("backend cuda: NVIDIA's driver is for CUDA {}.{}, the kernels need one for CUDA {} or newer",
                        version / 1000, version % 1000 / 10, MANDELMARCH_CUDA_TOOLKIT);
 }
@@ -41,7 +41,7 @@ const Module::Loaded& Module::loaded()
 {
     const Driver& d = driver();
     CUcontext context = nullptr;
-    check(d.cuCtxGetCurrent(&context), "asking for the device");
+    check(d.cuCtxGetCurrent(&context), "querying the device in use");
     const std::scoped_lock lock(mutex_);
     Loaded& kernel = loaded_[context];
     if (kernel.function == nullptr) {

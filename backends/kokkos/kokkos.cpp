@@ -17,7 +17,7 @@ job::Chains* chains(std::string_view precision);
 
 namespace {
 
-// Uses as many threads as the process may use, unless KOKKOS_NUM_THREADS is set.
+// Returns settings with as many threads as the process may use. Kokkos prefers KOKKOS_NUM_THREADS, if it is set.
 auto settings()
 {
 #if KOKKOS_VERSION >= 30700
@@ -54,9 +54,7 @@ public:
     std::string_view name() const override { return "kokkos"; }
     BackendInfo info() const override
     {
-        return {
-            .variables = {"KOKKOS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_PROC_BIND", "OMP_PLACES"},
-            .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+        return {.build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return {kokkos::drawing, kokkos::chains}; }
 

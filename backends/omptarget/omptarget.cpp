@@ -71,8 +71,8 @@ void* symbol(const std::string& name)
     return library().handle == nullptr ? nullptr : dlsym(library().handle, name.c_str());
 }
 
-// OpenMP cannot query a device's name and memory. OpenACC, in the same run-time library, can, and numbers the devices
-// in the same way.
+// OpenMP has no query for a device's name and memory. OpenACC, which is in the same run-time library, has one, and
+// numbers the devices in the same way.
 std::string text_of(int device, acc_device_property_t property)
 {
     const char* text = acc_get_property_string(device, acc_device_nvidia, property);
@@ -97,8 +97,6 @@ public:
     {
         return {.has_driver = true,
                 .threads = true,
-                .variables = {"OMP_TARGET_OFFLOAD", "OMP_DEFAULT_DEVICE", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT",
-                              "OMP_PROC_BIND", "OMP_PLACES", "CUDA_VISIBLE_DEVICES"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override

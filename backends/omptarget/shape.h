@@ -23,8 +23,8 @@ inline Shape shape_of(int iterations)
     return {iterations / job::block_threads, job::block_threads / warp_threads};
 }
 
-// Clauses that divide a loop as the local variable `shape` says. An OpenMP thread takes 32 iterations at a time, one
-// for each thread of its warp.
+// Clauses that divide a loop according to the local variable `shape`. An OpenMP thread takes 32 iterations at a time,
+// one for each thread of its warp.
 #define MM_SHAPE num_teams(shape.teams) thread_limit(shape.threads) num_threads(shape.threads) schedule(dynamic, 32)
 
 }  // namespace mandelmarch::omptarget

@@ -28,8 +28,8 @@ constexpr const char* gpu_maker = "NVIDIA";
 
 // Pixels per band on the host, where bands serve only to report progress.
 constexpr std::int64_t host_band = 1 << 13;
-// Threads that measure the multiply-add peak. On a GPU they are several for each lane of the largest GPUs; the host
-// executes its threads one after the other.
+// Numbers of threads that measure the multiply-add peak: on a GPU several for each lane of the largest GPUs; on the
+// host fewer, because it executes them one after the other.
 constexpr int gpu_threads = 1 << 21;
 constexpr int host_threads = 1 << 7;
 
@@ -47,7 +47,6 @@ public:
     {
         return {.role = Role::accelerator,
                 .has_driver = true,
-                .variables = {"ACC_DEVICE_TYPE", "ACC_DEVICE_NUM", "CUDA_VISIBLE_DEVICES", "CUDA_CACHE_DISABLE"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return {openacc::drawing, openacc::chains}; }

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "core/base/cores.h"
+#include "core/base/environment.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::opencl {
@@ -40,18 +41,13 @@ const char* meaning(cl_int code)
 
 namespace fs = std::filesystem;
 
-std::string variable(const char* name)
-{
-    const char* value = std::getenv(name);
-    return value == nullptr ? std::string() : value;
-}
-
 // Returns the default cache folder of PoCL 3.1: pocl/kcache in $XDG_CACHE_HOME, or else in ~/.cache; empty if neither
 // variable is set.
 std::string usual_folder()
 {
-    if (const std::string caches = variable("XDG_CACHE_HOME"); !caches.empty()) return caches + "/pocl/kcache";
-    if (const std::string home = variable("HOME"); !home.empty()) return home + "/.cache/pocl/kcache";
+    if (const std::string caches = environment_variable("XDG_CACHE_HOME"); !caches.empty())
+        return caches + "/pocl/kcache";
+    if (const std::string home = environment_variable("HOME"); !home.empty()) return home + "/.cache/pocl/kcache";
     return {};
 }
 
@@ -76,7 +72,7 @@ bool is_private(const std::string& folder)
 // temporary folder. Must be called before the first call of OpenCL.
 void provide_pocl_cache()
 {
-    if (!variable("POCL_CACHE_DIR").empty()) return;
+    if (!environment_variable("POCL_CACHE_DIR").empty()) return;
     unsetenv("POCL_CACHE_DIR");  // PoCL treats an empty value as a folder
     if (const std::string usual = usual_folder(); !usual.empty() && can_be_made(usual)) return;
     std::error_code error;
@@ -161,8 +157,8 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     const bool exact_float = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     build.options = fmt::format("-cl-std=CL1.2 {} -DMM_REAL_IS_FLOAT={:d} -DMM_LANES={}",
                                 exact ? MANDELMARCH_OPENCL_EXACT : MANDELMARCH_OPENCL_FAST, is_float, build.lanes);
-    // OpenCL allows errors of 2.5 ulp in a float division and 3 ulp in a float square root. Computed in double and
-    // rounded once to float, both are exact.
+    // OpenCL allows errors of 2.5 ulp in a float division and 3 ulp in a float square root. If they are computed in
+    // double and then rounded to float, the results are correctly rounded.
     if (is_float && exact && exact_float) {
         build.options += " " MANDELMARCH_OPENCL_DIVISION;
     } else if (is_float && exact && has_double) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenCL C++ bindings, version 1.2, with errors as exceptions; the devices of all platforms, and their
-// capabilities.
+// The devices of all OpenCL platforms, and how the kernel is compiled for each. Includes the OpenCL C++ bindings,
+// version 1.2, with errors as exceptions.
 #pragma once
 
 #include <optional>
@@ -41,13 +41,14 @@ Device description(const cl::Device& device);
 
 // How the kernel source is compiled for a device.
 struct Build {
-    int lanes = 1;           // pixels at once: vector length of the kernel's `real`
+    int lanes = 1;           // pixels computed at once: the vector length of the kernel's `real`
     bool in_double = false;  // compute divisions and square roots of floats in double, rounded once
     std::string options;     // options of the OpenCL compiler
 };
 
-// Returns how to compile the kernel for this device. options.pack is the number of lanes; 0 selects it by the device.
-// Throws Unavailable if the device does not support the options, InputError if OpenCL has no vector of that length.
+// Returns how to compile the kernel for this device. options.simd_width is the number of lanes; 0: the number that
+// suits the device. Throws Unavailable if the device does not support the options, InputError if OpenCL has no vector
+// of that length.
 Build build_for(const cl::Device& device, const RendererOptions& options);
 
 }  // namespace mandelmarch::opencl

@@ -97,8 +97,8 @@ private:
     // Launches the kernel and waits for its end.
     cl::Event launch(const Band& band, int rows_covered, const char* doing)
     {
-        // With vectors, a work item renders a strip of pixels (strip.cl); on a CPU each such item is its own work
-        // group, because cores take one group after another. Without vectors, a work group renders a square of
+        // With vectors, a work item renders a strip of pixels (strip.cl). On a CPU each of these items is a work group
+        // of its own, because a core takes one group after another. Without vectors, a work group renders a square of
         // pixels.
         const int side_of_group = !session_.is_cpu ? 8 : lanes_ > 1 ? 1 : tile_side;
         const int group_width = block_ > 0 ? 8 : side_of_group;
@@ -129,8 +129,8 @@ private:
     }
 
     // Returns the width of a strip in pixels. While the last rays of a strip march, most lanes are idle, which costs
-    // less per pixel in a wide strip. About 32 strips per compute unit are made, so that few cores are idle while the
-    // last strips are rendered.
+    // less per pixel in a wide strip. The width gives about 32 strips per compute unit, so that few cores are idle
+    // while the last strips are rendered.
     int strip_width() const
     {
         constexpr std::int64_t strips_of_unit = 32;

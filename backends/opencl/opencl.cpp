@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "backends/opencl/executor.h"
+#include "core/base/environment.h"
 #include "core/base/files.h"
 #include "core/render/peak.h"
 #include "core/scene/fractal.h"
@@ -59,7 +59,7 @@ private:
                        .pixels_to_fill = session_->is_cpu ? busy_cpu : pixels_of_gpu(items_of_unit * units())},
                       options_.band);
         const std::int64_t pixels = std::int64_t{rows_per_band(scene, limits)} * scene.width;
-        // Allocated separately, so that it can be left in use if the device hangs.
+        // Allocated on the heap, so that it can be abandoned while a device that hangs still uses it.
         auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels,
                                                              bytes_alone(image, options_));
         double build_seconds = 0;
@@ -109,7 +109,7 @@ private:
     }
 
     static constexpr std::int64_t busy_cpu = 1 << 17;  // pixels
-    // OpenCL does not report how many work items a compute unit holds; 2048 is the value of NVIDIA's GPUs.
+    // OpenCL does not report how many work items a compute unit holds; 2048 is the value of many NVIDIA GPUs.
     static constexpr std::int64_t items_of_unit = 2048;
 
     RendererOptions options_;
@@ -160,7 +160,6 @@ public:
                 .simd_width = true,
                 .band = true,
                 .block_size = true,
-                .variables = {"POCL_MAX_PTHREAD_COUNT", "POCL_DEVICES", "POCL_AFFINITY", "OCL_ICD_VENDORS"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
 
@@ -168,8 +167,8 @@ public:
     std::vector<InstalledDriver> installed_drivers() const override
     {
         std::vector<InstalledDriver> found;
-        const char* vendors = std::getenv("OCL_ICD_VENDORS");
-        for (const std::string& path : files_in(vendors != nullptr ? vendors : "/etc/OpenCL/vendors")) {
+        const std::string vendors = environment_variable("OCL_ICD_VENDORS");
+        for (const std::string& path : files_in(vendors.empty() ? "/etc/OpenCL/vendors" : vendors)) {
             found.push_back({"opencl", path, first_line(path), ""});
         }
         found.push_back({"loader", "libOpenCL.so.1", "libOpenCL.so.1", ""});
@@ -179,7 +178,7 @@ public:
     std::optional<std::string> unavailable() const override
     {
         if (!all_devices().empty()) return std::nullopt;
-        return "no OpenCL device (is a driver installed, pocl-opencl-icd for the CPU, say?)";
+        return "no OpenCL device: no driver is installed, such as pocl-opencl-icd for the CPU, or it has no device";
     }
 
     std::vector<Device> devices() const override

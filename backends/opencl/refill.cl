@@ -4,7 +4,7 @@
 // would otherwise wait long for the slowest ray of a vector. Ended rays are collected until they fill a vector, which
 // is then shaded. A pixel's result does not depend on the lane that computes it.
 
-// When fewer lanes than this march and the strip has rays left, idle lanes are refilled.
+// While the strip has rays left, idle lanes are refilled as soon as fewer lanes than this march.
 #define MM_BUSY (MM_LANES - MM_LANES / 8)
 
 // Returns the mask as bits: bit n is set if lane n is active.
@@ -22,7 +22,7 @@ FN int lowest_of(uint bits) { return (int)popcount((bits & -bits) - 1); }
 struct Queue {
     int x;
     int y;
-    uint waiting;  // lanes whose rays have not been taken
+    uint waiting;  // bit n: no lane has taken the block's ray n yet
     int at[MM_LANES];
     union Reals reals[5];  // direction, end, t
 };
@@ -32,7 +32,7 @@ struct Lanes {
     union Reals reals[9];
     union Wholes wholes[3];
     int at[MM_LANES];  // indices of the rays' pixels in a plane
-    uint taken;        // lanes that have a ray
+    uint taken;        // bit n: lane n has a ray
 };
 
 // The fields of ended rays (Hit) that wait for shading.
@@ -66,7 +66,7 @@ FN void begin_block(__constant Scene* scene, Strip strip, Queue* queue)
 
 FN bool rays_wait(Strip strip, const Queue* queue) { return queue->waiting != 0 || queue->x < strip.right; }
 
-// Starts rays of the strip in the free lanes, until the strip has none left. Sets the same values as begin_along().
+// Starts a ray of the strip in each free lane, while the strip has rays left. Sets the same values as begin_along().
 FN void take(__constant Scene* scene, Strip strip, Queue* queue, Lanes* lanes, uint free)
 {
     for (; free != 0 && rays_wait(strip, queue); free &= free - 1) {
@@ -191,7 +191,8 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
         free = all & ~marches;
         leave(&lanes, free & lanes.taken, stopped(*scene, ray), ended);
         lanes.taken &= marches;
-        // Both lists, and the rest at the strip's end, are shaded by one call, so that shading is compiled only once.
+        // One call in the code shades both lists, and at the strip's end their last rays, so that shading is compiled
+        // only once.
         int enough = lanes.taken == 0 && !rays_wait(strip, &queue) ? 1 : MM_LANES;
         for (int list = 0; list < 2; ++list) {
             while (ended[list].size >= enough) shade_last(scene, ended + list, target);

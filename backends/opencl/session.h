@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An opened device with its programs and buffers; reads the device's clock, and waits for the device.
+// An opened device with its programs and buffers, and functions that wait for the device and read its clock.
 #pragma once
 
 #include <fmt/format.h>
@@ -96,7 +96,8 @@ inline std::optional<double> device_seconds(const cl::Event& done)
     return 1e-9 * static_cast<double>(end - begin);
 }
 
-// Waits for an event. Throws DeviceHung if it does not end within device_timeout(), cl::Error if it fails.
+// Waits for the end of an event's command. Throws DeviceHung if that takes longer than device_timeout(), cl::Error if
+// the command fails.
 inline void wait_for(cl::Event& event, const char* doing)
 {
     struct Signal {

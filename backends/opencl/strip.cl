@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders a strip of pixels in vectors, block by block.
 
-// In pixels: the height of a strip, and the width of a block of MM_LANES pixels, which is as square as possible.
+// Height of a strip, and width of a block of MM_LANES pixels, which is as square as possible; in pixels.
 #define MM_STRIP 16
 #if MM_LANES == 32
 #define MM_WIDTH 8

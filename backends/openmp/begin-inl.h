@@ -22,8 +22,8 @@ namespace MM_PACK {
 
 constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 
-// For a picture's first lattice: stores where the subtiles' cones end in Canvas::block_start, and paints the subtiles
-// that no ray hits with the background.
+// For a band's first lattice: stores where the subtiles' cones end in Canvas::block_start, and paints the subtiles that
+// no ray hits with the background.
 HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
 {
     const bool paints = paints_background(d);
@@ -42,7 +42,7 @@ HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
 }
 
 // Depths of the pixels at the corners of a square's cells, row by row. They are rendered before the pixels inside the
-// cells. A side has one more corner than cells. Corners outside the picture have the depth unclear_miss().
+// cells. A side has one more corner than cells. Corners outside the band have the depth unclear_miss().
 template <int across>
 struct Neighbours {
     MM_REAL at[across + 1][across + 1];
@@ -83,7 +83,8 @@ HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, 
     }
 }
 
-// Copies the starts of a square's subtiles to its pixels. Returns true if no ray of these subtiles can hit.
+// Copies the start of each subtile in a square to the subtile's pixels. Returns true if no ray of these subtiles can
+// hit.
 HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square& square)
 {
     const int side = square.across() << square.log2_apart;
@@ -130,7 +131,7 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
     }
 }
 
-// Called before a picture's first lattice. Marks the depths of all pixels as unclear, except in painted subtiles.
+// Called before a band's first lattice. Marks the depths of all pixels as unclear, except in painted subtiles.
 HWY_INLINE void clear_neighbours(const Drawing& d, const Blocks& blocks)
 {
     for (int block = 0; block < blocks.count; ++block) {

@@ -25,7 +25,7 @@ HWY_INLINE void count_cones(const counter& de_calls, const counter& iterations, 
 #endif
 }
 
-// Stores where the cones end, each at the index of its subtile.
+// Stores the t at which each active cone ends, at the index of its subtile.
 HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
 {
     Int places[places_room] = {};

@@ -18,6 +18,7 @@
 #include "backends/openmp/variants.h"
 #include "core/base/cores.h"
 #include "core/base/cpu.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
@@ -123,10 +124,10 @@ constexpr double least_stack = 64;  // min stack size in KiB; a thread needs abo
 
 // Returns the size in KiB that a value of OMP_STACKSIZE sets (OpenMP 5.2, 21.2.2): a number, in KiB unless B, K, M or G
 // follows. Returns 0 for a value that is not a number, which the run-time library ignores.
-double kibibytes(const char* text)
+double kibibytes(const std::string& text)
 {
     char* rest = nullptr;
-    const double number = std::strtod(text, &rest);
+    const double number = std::strtod(text.c_str(), &rest);
     while (std::isspace(static_cast<unsigned char>(*rest)) != 0) ++rest;
     switch (std::tolower(static_cast<unsigned char>(*rest))) {
         case 'b': return number / 1024;
@@ -136,15 +137,15 @@ double kibibytes(const char* text)
     }
 }
 
-// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE sets the stacks too small for packs of rays. The threads would
-// crash.
+// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE makes the threads' stacks too small for packs of rays, which
+// would crash the program.
 void check_stack_size()
 {
-    for (const char* name : {"OMP_STACKSIZE", "GOMP_STACKSIZE"}) {
-        const char* text = std::getenv(name);
-        const double size = text == nullptr ? 0 : kibibytes(text);
+    for (const VariableName name : {VariableName("OMP_STACKSIZE"), VariableName("GOMP_STACKSIZE")}) {
+        const std::string text = environment_variable(name);
+        const double size = kibibytes(text);
         if (size > 0 && size < least_stack) {
-            throw InputError(fmt::format("{}: '{}' given, expected at least {:.0f}K", name, text, least_stack));
+            throw InputError(fmt::format("{}: '{}' given, expected at least {:.0f}K", name.text, text, least_stack));
         }
     }
 }
@@ -229,7 +230,7 @@ double measured_peak(Precision precision, int threads)
             sum += kernel.run(rounds);
         }
         // If OMP_THREAD_LIMIT or OMP_DYNAMIC makes the team smaller than requested, it does only a part of the work.
-        // The time is scaled to that of the whole work.
+        // The measured time is therefore scaled to all of the work.
         const double seconds = seconds_since(start) * asked / team;
         if (!(sum > 0)) throw Error("backend openmp: the multiply-add kernel computes nonsense");
         return seconds;
@@ -246,8 +247,6 @@ public:
                 .threads = true,
                 .simd_width = true,
                 .chunk = true,
-                .variables = {"OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_DYNAMIC", "OMP_PROC_BIND", "OMP_PLACES",
-                              "OMP_WAIT_POLICY", "GOMP_CPU_AFFINITY", "GOMP_SPINCOUNT"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override { return std::nullopt; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel in packs, used by the renderer's sections (the files *-inl.h). Each section is compiled once for every
-// instruction set and kind of pack. It opens its own namespaces and includes what it uses, so sections can be included
-// in any order. At the end of a pack, end_pack.h removes the sections' include guards.
+// The kernel on packs, which are vectors of pixels, one or more SIMD registers wide. The renderer's sections (the files
+// *-inl.h) use it. Each section is compiled once for every instruction set and kind of pack. It opens its own
+// namespaces and includes what it uses, so sections can be included in any order. At the end of a pack, end_pack.h
+// removes the sections' include guards.
 //
 // The including file defines MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE; and for each pack MM_PACK (its
 // namespace), MM_REGISTERS (registers per pack) and MM_COUNTED (1: counts work, 0: does not).
@@ -16,7 +17,7 @@
 #error "expected definitions of MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE"
 #endif
 
-// Defaults for a section that is opened alone, for example in an editor.
+// Defaults for a section that is compiled alone, for example by an editor.
 #ifndef MM_PACK
 #define MM_PACK counted::narrow
 #define MM_REGISTERS 1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of every packs_*.cpp, included once per instruction set; defines that set's variants. Each pack below
-// defines its parameters, includes its sections, and ends with end_pack.h. Narrow packs of one register hold the
-// pools, pairs of registers shade hits, and wide packs march.
+// defines its parameters, includes its sections, and ends with end_pack.h. Narrow packs (one register) manage the pools
+// of rays, pairs of registers shade hits, and wide packs march rays and refine hits.
 
 #include <cstddef>
 
@@ -29,7 +29,8 @@
 #include "backends/openmp/shading-inl.h"
 #include "backends/openmp/end_pack.h"
 
-// Four registers hide the latency of the arithmetic, although some are spilled. A fractal can select fewer.
+// In packs of four registers, operations on one register hide the latency of those on another, although some registers
+// are spilled to memory. A fractal can select fewer.
 #undef MM_WIDE_REGISTERS
 #if defined(MM_WIDE_REGISTERS_AVX3) && HWY_TARGET <= HWY_AVX3
 #define MM_WIDE_REGISTERS MM_WIDE_REGISTERS_AVX3
@@ -43,7 +44,7 @@
 #include "backends/openmp/samples-inl.h"
 #include "backends/openmp/end_pack.h"
 
-// Packs that do not count their work. Counting takes a few percent of a fast picture's time.
+// Packs that do not count their work, because counting takes a few percent of a fast picture's time.
 #if MM_FAST
 #define MM_PACK uncounted::narrow
 #define MM_REGISTERS 1

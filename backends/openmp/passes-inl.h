@@ -23,8 +23,8 @@ HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
     return on;
 }
 
-// Marches every ray of a pool by some steps, pack by pack. Stores the rays that continue without gaps, and passes the
-// others to ended(rays, lanes).
+// Marches every ray of a pool by some steps, pack by pack. Compacts the rays that continue at the front of the pool,
+// and passes the others to ended(rays, lanes).
 template <class Kind, Fields held, class Ended>
 HWY_INLINE void step_pool(Drawing& d, Pool& pool, StepKind kind, Ended ended)
 {

@@ -15,7 +15,8 @@
 
 namespace mandelmarch::openmp {
 
-// Buffers in which the rays of one lattice leave values for those of later ones (see Canvas). Reused between pictures.
+// Buffers in which the rays of one lattice leave values for the rays of later lattices (see Canvas). Reused between
+// pictures.
 template <class Real>
 struct LatticeBuffers {
     std::vector<Real> block_start;

@@ -3,10 +3,11 @@
 //
 // A pool of rays, stored as a structure of arrays, is marched by some steps at a time. Rays that continue are stored
 // without gaps. Hits wait in a second pool until whole packs of them can be refined and shaded. When the first pool
-// runs low, the rays of another tile are added. So a lane waits for slower ones only within one DE evaluation.
+// runs low, the rays of another tile are added. So a lane waits for slower ones within a DE evaluation and, once its
+// ray has ended, until a quarter of its pack's rays have ended, but for at most 15 steps (samples-inl.h).
 //
-// The scheduler itself processes one SIMD register at a time, so that its values stay in registers. DE evaluations
-// and shading use wider packs, in which the operations of one register hide the latency of another's.
+// The scheduler itself processes one SIMD register at a time, so that its values stay in registers. DE evaluations and
+// shading use wider packs, in which the operations of one register hide the latency of another's.
 
 // Include guard for one pack; end_pack.h removes it.
 #ifndef MM_POOL_INL_H

@@ -11,9 +11,10 @@
 
 namespace mandelmarch::openmp {
 
+// Render times in seconds.
 struct StageSeconds {
     std::array<double, stages> of{};  // by Stage
-    double in_one_go = 0;             // time of the whole picture, rendered by openmp's renderer without stage clocks
+    double in_one_go = 0;             // of the same picture, rendered without a clock
 };
 
 // Renders pictures of one scene on one thread, with the variant that openmp uses if no work is counted.

@@ -47,7 +47,6 @@ constexpr unsigned sample_bits = 0xf << 5;   // of a ray: t and estimate of the 
 constexpr unsigned room_bit = 1 << 9;
 constexpr unsigned shared_bits = 3 << 9;  // of a HitPack; uses the array of `room` and the next one
 // Fields of integer type:
-// Integers:
 constexpr unsigned steps_bit = 1 << 0;
 constexpr unsigned pixel_bit = 1 << 1;
 constexpr unsigned work_bits = 3 << 2;  // numbers of DE evaluations and of iterations

@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Max steps of a pack before the pool's rays are stored without gaps again.
+// Max steps of a pack before the rays that continue are compacted again.
 constexpr int steps_at_once = 16;
 
 // march_on(), march_cones_on() and refine_on() update the active rays, cones or hits of a pack with the estimate at

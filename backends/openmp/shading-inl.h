@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Stores the occlusion of hits, which the hits of later pixels between them can share.
+// Stores the occlusion of hits on the canvas. The hits of later pixels between them can share it.
 HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Occlusion& found,
                                    const mask& on)
 {

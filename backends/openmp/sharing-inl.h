@@ -14,22 +14,22 @@ namespace HWY_NAMESPACE {
 namespace {
 namespace MM_PACK {
 
-// Selected by how much pictures change (docs/notes/experiments.md).
+// Conditions for sharing, selected by how much sharing changes pictures (docs/notes/experiments.md).
 constexpr MM_REAL same_surface = MM_REAL(0.02);  // max relative difference of the depths of pixels on one surface
-constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of along_normal + sunwards between the neighbours
+constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of along_normal + sunwards among the neighbours
 constexpr int enough = 2;                        // min number of neighbours, of four, on the pixel's surface
 
 // The four pixels in even columns and rows that surround each lane's pixel. Some of the four can be the same.
 struct Around {
     hn::Vec<Wholes> at[4];     // half their indices in a plane
-    hn::Mask<Reals> there[4];  // lanes whose neighbour is inside the picture
+    hn::Mask<Reals> there[4];  // lanes whose neighbour is inside the band
 
     HWY_INLINE Around(const Canvas<MM_REAL>& canvas, int width, const whole& pixel)
     {
         const auto set = [](int value) MM_INLINED { return hn::Set(Reals(), static_cast<MM_REAL>(value)); };
         const auto wide = set(width);
         const auto number = hn::ConvertTo(Reals(), pixel.of[0]);
-        // The row is floor((index + 0.5) / width). A band has less than 2^22 pixels, so the added half pixel exceeds
+        // The row is floor((index + 0.5) / width). A band has fewer than 2^22 pixels, so the added half pixel exceeds
         // the rounding error.
         const auto row = hn::Floor(hn::Div(hn::Add(number, hn::Set(Reals(), MM_REAL(0.5))), wide));
         const auto column = hn::Sub(number, hn::Mul(row, wide));

@@ -15,9 +15,9 @@ namespace mandelmarch::openmp {
 enum class Stage { begin, march, refine, normal, shade, output };
 inline constexpr int stages = 6;
 
-// The order in which fast mode renders a picture's pixels. Those whose column and row are multiples of 4 are rendered
-// first, then those of multiples of 2, then all others. A later ray begins near the hits of the pixels around it that
-// are already rendered (core/kernel/march.h, neighbour_start()).
+// Fast mode renders the pixels of a picture in up to three lattices: first the pixels whose column and row are
+// multiples of 4, then those whose column and row are multiples of 2, then all others. A later ray begins near the hits
+// of the pixels around it that are already rendered (core/kernel/march.h, neighbour_start()).
 
 // The pixels whose column and row are multiples of `apart` (1, 2 or 4), without those whose column and row are
 // multiples of `before`, which are already rendered. `before` is 0 in the first lattice.
@@ -62,12 +62,13 @@ struct Canvas {
     int end_row;
     std::ptrdiff_t pixels;  // per plane
     Real spacing;           // distance of diagonally adjacent rays at distance 1 from the camera
-    bool cones;             // subtiles begin with cones
+    bool cones;             // subtiles begin with cones (cones-inl.h)
     Real block_hull;        // size of the enlarged hull for subtiles (spacing.h); 0: none
     Lattice lattice;        // pixels to render, counted from first_row
-    Real* block_start;      // for each subtile: none of its rays hits before this t
-    Real* neighbour_depth;  // of pixels in even columns and rows, at half their index (core/kernel/march.h)
-    // Occlusion of the same pixels, at the same places, which the pixels between them share; null: not shared.
+    Real* block_start;      // for each subtile, a t before which none of its rays hits
+    Real* neighbour_depth;  // depths of the pixels in even columns and rows, at half the pixel's index
+    // Occlusion at the hits of the same pixels, at the same indices; the pixels between them share it. null: not
+    // shared.
     Real* along_normal;
     Real* sunwards;
     Real* reals;
@@ -93,7 +94,7 @@ struct Tiles {
 template <class Real>
 using DrawTiles = WorkCounts (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory);
 
-// Renders tiles like DrawTiles, and adds the seconds of each stage (stage.h), measured with `clock`, to `seconds`.
+// Renders tiles like DrawTiles, and adds the seconds of each Stage, measured with `clock`, to `seconds`.
 template <class Real>
 using ProfileTiles = void (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory,
                               double (*clock)(), double* seconds);

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <hwy/targets.h>
 
-#include <cstdlib>
 
+#include "core/base/environment.h"
 #include "core/base/error.h"
 
 namespace mandelmarch::openmp {
@@ -20,8 +20,8 @@ std::string usual_name(std::string_view highway)
 std::int64_t instructions()
 {
     const std::int64_t all = hwy::SupportedTargets() & HWY_TARGETS;
-    const char* wanted = std::getenv("MANDELMARCH_INSTRUCTIONS");
-    if (wanted == nullptr || *wanted == '\0') return all;
+    const std::string wanted = environment_variable("MANDELMARCH_INSTRUCTIONS");
+    if (wanted.empty()) return all;
     std::string known;
     for (std::int64_t rest = all; rest != 0; rest &= rest - 1) {
         const std::int64_t target = rest & -rest;

@@ -18,9 +18,9 @@ namespace {
 
 enum class StepKind { march, march_cones, refine };
 
-// Steps the pack at index `from` of a pool that has `rays` rays from there on: marches until a quarter of the pack's
-// rays have ended or for a limited number of steps, or refines once. `going` receives, per register, the mask of the
-// rays that continue.
+// Advances the pack at index `from` of a pool. `rays`: number of the pool's rays from that index on. Marches the pack
+// until a quarter of its rays have ended or for a limited number of steps, or refines it once. `going` receives, per
+// register, the mask of the rays that continue.
 using TakeSteps = void (*)(const void* scene, const Canvas<MM_REAL>& canvas, RayPool<MM_REAL>& pool, StepKind kind,
                            int from, int rays,
                            hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<MM_REAL>>* going);

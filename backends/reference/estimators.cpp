@@ -25,7 +25,7 @@ double Mandelbox::operator()(Vector p, Work& work) const
 {
     Vector z = p;
     double k = 1;
-    double r2 = -1;  // squared radius of the folded point; begins below 0, so that the loop begins
+    double r2 = -1;  // squared radius of the folded point; below 0 at first, so that the loop runs
     int i = 0;
     for (; i < iterations_ && r2 < escape2_; ++i) {
         z = {fold(z.x), fold(z.y), fold(z.z)};
@@ -52,7 +52,8 @@ Mandelbulb::Mandelbulb(const Scene& scene)
 {
 }
 
-// Returns how much the power map stretches lengths along a parallel at most, relative to lengths along the radius.
+// Returns the max stretch of lengths along a circle of latitude by the power map, relative to that of lengths along the
+// radius; 1 for the original estimate.
 double Mandelbulb::stretch(Vector z, double r) const
 {
     if (!(envelope_ > 0)) return 1;

@@ -8,7 +8,7 @@
 namespace mandelmarch::reference {
 
 // Estimators of the Mandelbox and the Mandelbulb. operator() returns the estimate at a point, and adds one DE
-// evaluation and its iterations to `work`.
+// evaluation (a call of the distance estimator) and its iterations to `work`.
 class Mandelbox {
 public:
     explicit Mandelbox(const Scene& scene);

@@ -17,15 +17,16 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double far_end = 1000;  // largest t
+constexpr double far_end = 1000;  // largest t, the distance of a sample from the eye
 constexpr int most_steps = 8000;
 constexpr double step_factor = 0.95;  // step length as a fraction of the estimate
 // Step factor with which the canonical hit is found. It is small, because the Mandelbulb's estimate can be five times
 // too large.
 constexpr double small_stride = 0.15;
 constexpr int most_small_steps = 200'000;
-// Max half distance of the points whose estimates a normal is the difference of, as a fraction of the tolerance. With a
-// larger one, normals would miss the relief of a canonical picture, whose size is about the tolerance and less.
+// Max half distance between the two points from whose estimates a component of a normal is computed, as a fraction of
+// the tolerance. A larger distance would blur the relief of a canonical picture, whose details are about as large as
+// the tolerance or smaller.
 constexpr double difference_share = 1e-3;
 
 struct Axes {
@@ -104,7 +105,7 @@ private:
         return fractal_(scene_.eye + t * direction, work_);
     }
 
-    // Marches with the original stepping, and returns its last sample.
+    // Marches as the original program does, and returns the last sample.
     Hit plain_hit(Vector direction)
     {
         double t = 0;
@@ -120,7 +121,8 @@ private:
         return {distance < t * eps_, sample, t * eps_};
     }
 
-    // Returns the first t with DE(t) = eps t. Finds a point inside by small steps, then bisects to the last bit.
+    // Returns the first t with DE(t) = eps t. Marches by small steps to a sample with DE(t) < eps t, then bisects until
+    // no number is left in between.
     Hit canonical_hit(Vector direction)
     {
         const auto outside = [&](double t, double distance) { return !(distance < eps_ * t); };
@@ -142,8 +144,8 @@ private:
         }
     }
 
-    // Returns the normal, by central differences one tolerance in front of the hit. In a canonical picture, an eye
-    // inside the solid sees no surface; its normal is the direction towards the eye.
+    // Returns the normal, by central differences one tolerance in front of the hit. If the eye of a canonical picture
+    // is inside the solid, there is no surface; the direction towards the eye then serves as the normal.
     Vector normal(const Hit& hit, Vector direction)
     {
         if (mode_ == Mode::fast && hit.t == 0) return -1 * direction;
@@ -155,7 +157,8 @@ private:
         return unit({slope({h, 0, 0}), slope({0, h, 0}), slope({0, 0, h})});
     }
 
-    // Returns the normal at p, computed from the estimates at the corners of a tetrahedron at distance h from p.
+    // Returns the normal at p, computed from the estimates at the four corners of a tetrahedron, each at distance h
+    // from p.
     Vector smooth_normal(Vector p, double h)
     {
         Vector sum{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference backend: a simple serial renderer in double precision. Its Mandelbulb uses trigonometric functions. It
-// shares no formula with the kernel, and provides the expected pictures and the baseline times.
+// The reference backend: a simple serial renderer in double precision. It shares no formula with the kernel; for
+// example, its Mandelbulb uses trigonometric functions. It provides the expected pictures and the baseline times.
 #pragma once
 
 #include <memory>

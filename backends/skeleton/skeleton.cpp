@@ -14,7 +14,7 @@
 namespace mandelmarch {
 namespace {
 
-// Renders bands on the device: its constructor allocates the buffers, run() runs the kernel on a band, and read_back()
+// Renders bands on the device. The constructor allocates the buffers, run() runs the kernel on a band, and read_back()
 // copies the band to the image.
 template <class Real>
 class BandExecutor : public Executor {
@@ -80,7 +80,7 @@ private:
             skeleton::kernel_of<Real>(fmt::format("{}_{}", fractal, name_of(options_.precision)));
         if (kernel == nullptr) throw Unavailable(fmt::format("backend skeleton: it does not draw the {}", fractal));
         const Clock::time_point start = Clock::now();
-        // The simulated device's memory holds most_pixels; a band consists of whole rows.
+        // The simulated device's memory holds most_pixels pixels. A band consists of complete rows.
         constexpr int most_pixels = 1 << 20;
         const int rows = std::clamp(most_pixels / scene.width, 1, scene.height);
         const std::int64_t pixels = std::int64_t{rows} * scene.width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the schedule's passes on a device: buffer layout, limits, and the work of a band.
+// Runs the schedule's passes on a device. Defines the layout of the buffers and the limits of a pass.
 #pragma once
 
 #include <fmt/format.h>
@@ -42,11 +42,10 @@ constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
 static_assert(sizeof(layout_f32::Ray) == ray_size(4) && sizeof(layout_f32::Hit) == ray_size(4));
 static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  // without the padding
 
-// Max number of loop iterations of an invocation in one pass. lavapipe silently ends loops after 65,535 iterations;
-// it sums them over all loops, and also counts one for each loop in a branch that is not taken. On other devices a
-// watchdog may end passes that take several seconds. There, these limits correspond to about a tenth of a second for
-// a warp on a slow GPU, on which double may be 32 times slower than float. kernel.comp detects if a device ends loops
-// earlier.
+// Max number of loop iterations of an invocation in one pass. lavapipe silently ends loops after 65,535 iterations; it
+// sums them over all loops, and also counts one for each loop in a branch that is not taken. On other devices a
+// watchdog may end passes that take several seconds; their limits correspond to about a tenth of a second for a warp on
+// a slow GPU, on which double may be 32 times slower than float. kernel.comp detects a device that ends loops earlier.
 inline constexpr std::int64_t counted_loops = 65'000;
 inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;
@@ -67,7 +66,7 @@ inline Limits limits_of(const DeviceInfo& info, vk::DeviceSize real, int band)
     return with_band(limits, band);
 }
 
-// Runs the program of a Workbench on its buffers, which `Index` numbers.
+// Runs the program of a Workbench on its buffers (see Index).
 template <class Real>
 class BandExecutor : public Executor {
 public:

@@ -20,9 +20,9 @@ Gpu::Gpu(const vk::raii::PhysicalDevice& physical, Precision precision)
     const auto refuse = [this](const std::string& why) {
         throw Unavailable(fmt::format("backend vulkan: {}: {}", name(), why));
     };
-    if (info_.properties.apiVersion < VK_API_VERSION_1_1) refuse("knows Vulkan 1.0 only, expected 1.1");
+    if (info_.properties.apiVersion < VK_API_VERSION_1_1) refuse("supports only Vulkan 1.0, expected 1.1");
     if (precision == Precision::f64 && !info_.has_double)
-        refuse("has no double (shaderFloat64), --precision float may do");
+        refuse("has no double (shaderFloat64), expected --precision float");
     const auto families = physical.getQueueFamilyProperties();
     const auto family = std::ranges::find_if(families, [](const vk::QueueFamilyProperties& one) {
         return static_cast<bool>(one.queueFlags & vk::QueueFlagBits::eCompute);

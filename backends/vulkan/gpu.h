@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An opened device: its queue, buffers and commands, and waiting for the end of its work.
+// An opened device with its queue and command buffer. Makes buffers, submits work, and waits for its end.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@ enum class Place { device, host };
 
 // How long finished work took, in seconds.
 struct Took {
-    double host = 0;                    // from the submission until the host learns of the end
+    double host = 0;                    // from the submission until the host detects the end
     std::optional<double> device = {};  // by the device's clock; nullopt if it has none
 };
 
@@ -44,8 +44,8 @@ public:
     // Makes earlier writes of shaders and copies visible to later commands, on the device and on the host.
     void barrier();
     // Submits the recorded commands, if any, and waits for them. Throws Error if the device is lost. Throws DeviceHung
-    // if it does not respond in time; its work may then still be running, so nothing that it uses may be destroyed, and
-    // the destructor might never return.
+    // if the device does not respond in time. Its work may then still be running, so the caller must not destroy
+    // anything that this work uses, nor this object, whose destructor might never return.
     Took finish(const std::string& doing);
 
     // Discards the recorded commands.
@@ -66,7 +66,7 @@ private:
     vk::raii::CommandBuffer commands_ = nullptr;
     vk::raii::Fence fence_ = nullptr;
     vk::raii::QueryPool clock_ = nullptr;  // the two timestamps, at the start and end of work; null: no clock
-    std::uint64_t clock_mask_ = 0;         // mask of the valid bits of a timestamp
+    std::uint64_t clock_mask_ = 0;         // the valid bits of a timestamp
     bool recording_ = false;
 };
 

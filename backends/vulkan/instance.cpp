@@ -33,7 +33,7 @@ vk::raii::Instance open_instance(const vk::raii::Context& context)
     try {
         limit_driver_threads("LP_NUM_THREADS");
         if (context.enumerateInstanceVersion() < VK_API_VERSION_1_1) {
-            throw Unavailable("the Vulkan loader knows version 1.0 only, expected 1.1");
+            throw Unavailable("the Vulkan loader supports only version 1.0, expected 1.1");
         }
         const vk::ApplicationInfo application("mandelmarch", 0, nullptr, 0, VK_API_VERSION_1_1);
         return {context, vk::InstanceCreateInfo({}, &application)};

@@ -11,8 +11,8 @@
 
 namespace mandelmarch::vulkan {
 
-// An open loader and its devices. If no loader or no driver is installed, the constructor throws Unavailable, whose
-// message is only the reason, without the backend's name.
+// An open loader and its devices. The constructor throws Unavailable if no loader or no driver is installed; the
+// exception's message is the reason without the backend's name.
 class Instance {
 public:
     Instance();

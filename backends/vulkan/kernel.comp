@@ -47,7 +47,8 @@ layout(push_constant) uniform Pass
     int pixels;  // values per plane of the results
 } pass;
 
-// Returns every second bit of an index below 64, beginning with `bit`. These are the coordinates of the Morton order.
+// Returns every second bit of an index below 64, beginning with `bit` 0 or 1: a coordinate of the index's place in
+// Morton order.
 int every_second(int index, int bit)
 {
     int bits = index >> bit;
@@ -58,9 +59,9 @@ int every_second(int index, int bit)
 const int cut_off = 1 << 30;
 
 // Returns `steps`, or cut_off if the device has ended a loop of this invocation early. lavapipe limits the sum of the
-// iterations of all loops of an invocation. When the limit is reached, it leaves the current loop and goes on, and
-// allows one iteration in each later loop. This function's loop needs two iterations, and so detects it. Its bounds
-// come from a buffer, so that no compiler removes the loop.
+// iterations of all loops of an invocation. When the limit is reached, the invocation leaves the current loop,
+// continues after it, and gets one iteration in each later loop. This function's loop needs two iterations, and so
+// detects this. Its bounds come from a buffer, so that no compiler removes the loop.
 int steps_or_cut_off(int steps)
 {
     int round = whole_scene.max_steps - 2;

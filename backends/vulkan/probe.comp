@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes values by which the host checks the assumptions of exact mode: it compares them with IEEE 754's results.
-// They are quotient() and root(), and sums of products. A device that fuses a multiplication with an addition rounds
-// once instead of twice, which changes these sums.
+// Computes quotients, square roots and sums of products. The host compares them with IEEE 754's results, to check the
+// assumptions of exact mode. A device that fuses a multiplication with an addition rounds once instead of twice, which
+// changes these sums.
 #version 460
 #include "core/kernel/prelude/glsl.h"
 

@@ -54,8 +54,8 @@ Found probed(Gpu& gpu, Workbench& bench, const std::string& module)
     }
     const auto dividends = tricky_numbers<Real>(1);
     const auto divisors = tricky_numbers<Real>(2);
-    // The addends are the negated rounded products. A fused addition then returns the rounding error of the product
-    // instead of 0.
+    // The addends are the negated rounded products, so a * b + c is 0 if it is rounded twice. A fused multiply-add
+    // returns the product's rounding error instead.
     std::vector<Real> addends;
     for (std::size_t i = 0; i < values; ++i) addends.push_back(-(dividends[i] * divisors[i]));
     for (const auto& [at, numbers] : {std::pair(0, &dividends), {1, &divisors}, {2, &addends}}) {
@@ -103,14 +103,14 @@ std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision)
             case Found::quotients: break;
             case Found::contraction:
                 throw Unavailable(
-                    fmt::format("backend vulkan: {}: it fuses products and sums of {} that are to be rounded one by "
-                                "one, --mode fast may do",
+                    fmt::format("backend vulkan: {}: it fuses products and sums of {}, which exact mode "
+                                "rounds one by one, expected --mode fast",
                                 gpu.name(), name_of(precision)));
         }
     }
     throw Unavailable(
-        fmt::format("backend vulkan: {}: its {} division and square root are not exact, --mode fast may do", gpu.name(),
-                    name_of(precision)));
+        fmt::format("backend vulkan: {}: its {} division and square root are not exact, expected --mode fast",
+                    gpu.name(), name_of(precision)));
 }
 
 }  // namespace mandelmarch::vulkan

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests whether a device follows IEEE 754. Vulkan allows errors of 2.5 ulp in divisions and square roots, and some
-// drivers ignore NoContraction.
+// Tests whether a device follows IEEE 754. Vulkan allows divisions an error of 2.5 ulp and does not require exact
+// square roots, and some drivers ignore NoContraction.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,8 @@ struct Workbench {
 };
 
 // Returns the suffix of the modules that are exact on this device: "", or "_corrected" or "_pinned" (program.h) if its
-// float divisions are inexact. Throws Unavailable if no module is exact.
+// float divisions are inexact. Throws Unavailable if no module is exact, or if the device fuses multiplications with
+// additions.
 std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision);
 
 }  // namespace mandelmarch::vulkan

@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "core/base/environment.h"
+#include "core/base/hash.h"
 #include "core/base/output_file.h"
 
 namespace mandelmarch::vulkan {
@@ -25,23 +26,14 @@ struct FileHeader {
 };
 constexpr std::array<char, 8> magic{'m', 'm', 'v', 'k', 'c', 'a', '0', '1'};
 
-// Returns the 64-bit FNV-1a hash (Fowler, Noll and Vo).
-std::uint64_t hash_of(const void* data, std::size_t size)
-{
-    std::uint64_t hash = 0xcbf29ce484222325;
-    const auto* bytes = static_cast<const std::uint8_t*>(data);
-    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3;
-    return hash;
-}
-
 std::string cache_folder()
 {
     // The XDG Base Directory Specification requires that an empty or relative path is ignored.
-    if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') {
-        return std::string(xdg) + "/mandelmarch";
+    if (const std::string xdg = environment_variable("XDG_CACHE_HOME"); xdg.starts_with('/')) {
+        return xdg + "/mandelmarch";
     }
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
-        return std::string(home) + "/.cache/mandelmarch";
+    if (const std::string home = environment_variable("HOME"); home.starts_with('/')) {
+        return home + "/.cache/mandelmarch";
     }
     return {};
 }
@@ -63,7 +55,7 @@ Bytes read_cache(const std::string& path)
     if (bytes.size() < sizeof header) return {};
     std::memcpy(&header, bytes.data(), sizeof header);
     Bytes content(bytes.begin() + sizeof header, bytes.end());
-    if (header.magic != magic || header.checksum != hash_of(content.data(), content.size())) return {};
+    if (header.magic != magic || header.checksum != fnv1a(content.data(), content.size())) return {};
     return content;
 }
 
@@ -89,7 +81,7 @@ PipelineCache::PipelineCache(const Gpu& gpu, Module module)
         std::string uuid;
         for (const std::uint8_t byte : properties.pipelineCacheUUID) uuid += fmt::format("{:02x}", byte);
         path_ = fmt::format("{}/vulkan-{}-{:08x}-{:016x}.bin", folder, uuid, properties.driverVersion,
-                            hash_of(module.data(), module.size_bytes()));
+                            fnv1a(module.data(), module.size_bytes()));
         if (may_hold_cache(path_)) {
             known_ = read_cache(path_);
         } else {
@@ -110,7 +102,7 @@ void PipelineCache::save()
         if (content == known_) return;
         std::error_code ignored;
         std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), ignored);
-        const FileHeader header{magic, hash_of(content.data(), content.size())};
+        const FileHeader header{magic, fnv1a(content.data(), content.size())};
         OutputFile file(path_);
         file.write(&header, sizeof header);
         file.write(content.data(), content.size());

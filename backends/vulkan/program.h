@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A module on a device, with its pipelines, which are created on first use, and the binding of its buffers.
+// Shader programs on a device: SPIR-V modules, and the pipelines made of them, which are created on first use.
 #pragma once
 
 #include <array>
@@ -23,9 +23,8 @@ using Module = std::span<const std::uint32_t>;
 Module module_named(std::string_view name);
 
 // The pipelines of one module that a device's driver has compiled, stored for later runs in $XDG_CACHE_HOME/mandelmarch
-// or ~/.cache/mandelmarch. A file that is truncated, modified or from another driver is
-// ignored and rewritten. If the folder is not writable, or the path is not a regular file, nothing is stored, and no
-// error is reported.
+// or ~/.cache/mandelmarch. A file that is truncated, modified or from another driver is ignored and rewritten. If the
+// folder is not writable, or the path is not a regular file, nothing is stored, and no error is reported.
 class PipelineCache {
 public:
     PipelineCache(const Gpu& gpu, Module module);

@@ -3,7 +3,7 @@
 //   decorate IN OUT      decorates every floating-point operation with NoContraction, which forbids fused multiply-add
 //                        and algebraic optimisation. (GLSL's `precise` would not reach operations in called functions.)
 //   check IN...          returns exit code 1 if an operation lacks the decoration
-//   embed OUT.cpp IN...  writes the modules as a C++ table, in which the stems of their file names are the names
+//   embed OUT.cpp IN...  writes the modules as a C++ table. A module's name there is the stem of its file name.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -34,7 +34,8 @@ bool is_arithmetic(std::uint32_t opcode)
     return opcodes.contains(opcode);
 }
 
-// Returns true for the instructions that precede a module's types. Decorations must stand before the first other one.
+// Returns true for the instructions that precede a module's types. Decorations must precede the first instruction of
+// any other kind.
 bool is_preamble(std::uint32_t opcode)
 {
     static const std::set<std::uint32_t> opcodes{2,  3,  4,  5,  6,  7,  10,  11,  14,  15,   16,
@@ -54,7 +55,7 @@ Words read_module(const std::string& path)
     return words;
 }
 
-// Result of survey(): which operations of a module may be contracted.
+// Result of survey(): the operations of a module that may be contracted, and where to insert decorations.
 struct Survey {
     std::size_t annotations_end = 0;      // index of the word before which decorations can be inserted
     std::set<std::uint32_t> undecorated;  // result identifiers of arithmetic operations without NoContraction

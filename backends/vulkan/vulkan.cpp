@@ -106,7 +106,7 @@ private:
                            .device = gpu.info().device,
                            .precision = options_.precision,
                            .mode = options_.mode,
-                           // lavapipe does not report its number of threads, but they have names.
+                           // lavapipe does not report its number of threads, so they are counted by their names.
                            .threads = gpu.info().counts_loops ? std::max(1, threads_named("llvmpipe-")) : 1,
                            .instruction_set = instruction_set_,
                            .timings = {},
@@ -157,7 +157,7 @@ private:
             buffers.push_back(gpu.make_buffer(sizeof(KernelScene<Real>), Place::device, "the scene"));
             buffers.push_back(gpu.make_buffer(ray_size(sizeof(Real)) * pixels, Place::device, "rays"));
             buffers.push_back(gpu.make_buffer(size, shared ? Place::host : Place::device, "pixels"));
-            if (!shared) buffers.push_back(gpu.make_buffer(size, Place::host, "the pixels' way back"));
+            if (!shared) buffers.push_back(gpu.make_buffer(size, Place::host, "copies of the pixels"));
             held_ = pixels;
         }
         const Buffer* results = &buffers[result_buffer];
@@ -217,7 +217,6 @@ public:
     {
         return {.has_driver = true,
                 .band = true,
-                .variables = {"VK_ICD_FILENAMES", "VK_DRIVER_FILES", "LP_NUM_THREADS", "LP_NATIVE_VECTOR_WIDTH"},
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
 

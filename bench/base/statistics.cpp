@@ -65,8 +65,8 @@ std::vector<double> together(const ValuesByRun& runs)
     return all;
 }
 
-// Widens the interval to contain the value. This may be necessary, as the interval is that of a mean of logarithms, and
-// the value is a median.
+// Widens the interval to contain the value. The value is a median and the interval that of a mean of logarithms, so the
+// value may lie outside.
 std::optional<Interval> holding(std::optional<Interval> interval, double value)
 {
     if (!interval) return interval;

@@ -83,9 +83,9 @@ struct Quotient {
     std::optional<Interval> interval;  // 95 %, contains the ratio
 };
 
-// Returns the quotient of two sets of times, which hold at least one time each, in the order of the rounds. If several
-// runs have times of both, the interval is run_interval() of the runs' ratios of medians. Else it is
-// median_interval() of the ratios of the rounds.
+// Returns the quotient of two sets of times; each has at least one time, and the times of a run are in the order of its
+// rounds. If several runs are in both sets, the interval is run_interval() of one ratio per run, that of the run's
+// medians. Else it is median_interval() of the ratios of the rounds.
 Quotient quotient(const ValuesByRun& numerator, const ValuesByRun& denominator);
 
 // Contribution of one sampled patch to the numerator and the denominator of a ratio of sums.

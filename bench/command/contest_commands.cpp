@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands that compare programs, and pictures of random scenes.
+// Commands that compare programs (duel, race), or pictures of random scenes (random, equivalence).
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -41,7 +41,8 @@ CLI::Option* add_fractal(CLI::App& app, std::vector<const Fractal*>& fractals, c
         ->default_str("all");
 }
 
-// Prints a discrepancy on stderr, with a parameter file that reproduces it, or the file's path in `folder`.
+// Prints a discrepancy on stderr, with the parameter file that reproduces it. If `folder` is given, writes that file to
+// it and prints the file's path instead.
 void show(const Discrepancy& d, const std::string& folder)
 {
     namespace fs = std::filesystem;
@@ -104,13 +105,13 @@ Run race_command(CLI::App& app, const Registry& registry)
     app.add_option("--scene", o.scene, "parameter file for --fractal (default: the official scene)");
     app.add_option_function<std::string>(
         "--size", [&o](const std::string& text) { o.size = size_option(text); },
-        "picture size, WxH in pixels (default: of --scene, or 540x540)");
+        "picture size, WxH in pixels (default: as in --scene, or 540x540)");
     app.add_option("--backend", o.backend, "backend of our renderer")->capture_default_str();
     app.add_option("--limit", o.limit, "time limit per picture, in seconds")
         ->check(real(0.01, 1e5))
         ->capture_default_str();
     app.add_option("--repetitions", o.rounds, "rounds")->check(whole(1, 100'000))->capture_default_str();
-    app.add_option("--seed", o.seed, "seed for the order in each round")
+    app.add_option("--seed", o.seed, "seed for the order of programs in each round")
         ->check(whole(0, 1'000'000'000))
         ->capture_default_str();
     app.footer("docs/race.md explains the table.");
@@ -133,9 +134,9 @@ Run random_command(CLI::App& app, const Registry& registry)
     const auto state = std::make_shared<State<RandomOptions, RandomResult>>();
     RandomOptions& o = state->options;
     app.add_option("--backend", o.backend, "backend to test (default: openmp)");
-    add_fractal(app, o.fractals, "fractals of the scenes: all that bench studies by default, or one name");
+    add_fractal(app, o.fractals, "fractals to render: all that bench studies by default, or one name");
     app.add_option("--without", o.without,
-                   "optimisations to disable, separated by commas; same names as `render --without`");
+                   "optimisations to disable, separated by commas; names as for `render --without`");
     app.add_option("--scenes", o.scenes, "scenes per fractal and set")->check(whole(1, 100'000))->capture_default_str();
     app.add_option("--sets", o.sets, "seeds, one per set, separated by commas")
         ->delimiter(',')
@@ -162,7 +163,7 @@ Run equivalence_command(CLI::App& app, const Registry& registry)
            "--backend", [&](const std::string& text) { o.backends = parse_backends(registry, text); },
            "backend to check: all, or a list such as openmp,opencl")
         ->default_str("all");
-    add_fractal(app, o.fractals, "fractals of the scenes: all, or one name");
+    add_fractal(app, o.fractals, "fractals to render: all, or one name");
     app.add_option("--scenes", o.scenes, "number of scenes in all")->check(whole(1, 10'000'000))->capture_default_str();
     app.add_option("--seed", o.seed, "seed for the scenes")->check(whole(0, 1'000'000'000))->capture_default_str();
     app.add_option("--folder", *folder, "folder for the parameter files of scenes whose pictures differ");

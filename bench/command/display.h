@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress of bench on stderr: a bar on a terminal, else a line for each new phase.
+// Progress on stderr: a bar on a terminal, else a line for each new phase.
 #pragma once
 
 #include <memory>
 #include <string>
 
 #include "cli/progress_bar.h"
-#include "bench/harness/session.h"
+#include "bench/harness/runner.h"
 #include "core/base/console.h"
 #include "core/base/stopwatch.h"
 
@@ -14,7 +14,7 @@ namespace mandelmarch::bench {
 
 class Display {
 public:
-    explicit Display(bool quiet = false) : quiet_(quiet) {}
+    explicit Display(bool quiet = false, const char* program = "bench") : quiet_(quiet), program_(program) {}
 
     // `since`: start of the phase, from which the remaining time is estimated.
     void show(const Step& step, Clock::time_point since = Clock::now())
@@ -23,8 +23,8 @@ public:
         if (step.what != what_) {
             what_ = step.what;
             bar_.reset();
-            bar_ = std::make_unique<ProgressBar>(what_, since);
-            if (!bar_->on_terminal()) say("bench: {}\n", what_);
+            bar_ = std::make_unique<ProgressBar>(what_, ProgressOptions{.start = since});
+            if (!bar_->on_terminal()) say("{}: {}\n", program_, what_);
         }
         bar_->show(step.share, step.detail);
     }
@@ -33,6 +33,7 @@ public:
 
 private:
     bool quiet_;
+    const char* program_;
     std::string what_;
     std::unique_ptr<ProgressBar> bar_;
 };

@@ -10,7 +10,10 @@
 #include "bench/command/outputs.h"
 #include "bench/files/result_file.h"
 #include "bench/print/printers.h"
+#include "bench/harness/peaks.h"
 #include "bench/harness/runs.h"
+#include "bench/harness/session.h"
+#include "bench/print/demo_table.h"
 #include "bench/study/cases.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -25,8 +28,8 @@ struct Measurement {
     bool list = false, list_names = false, wide = false;
     bool quiet = false;      // no table and no progress; set in further runs
     bool on_demand = false;  // render for a duel
-    bool unproven = false;   // on_demand: skip verification; set in all runs of a duel but the first
-    std::string format;      // Google Benchmark's, for standard output
+    bool unproven = false;   // with on_demand: skip verification; set in all runs of a duel but the first
+    std::string format;      // format of Google Benchmark for standard output; empty: bench's own table
     std::string out, out_format = "json";
 };
 
@@ -40,9 +43,10 @@ void list(const Registry& registry, const Options& options, bool names_only)
         }
     }
     if (names_only) return;
-    print("\nstudies (--study NAME; with --list the rows of that one)\n");
+    print("\nstudies (--study NAME; --study NAME --list lists its configurations)\n");
     for (const Study& study : studies()) {
-        print("  {:<12} {}{}\n", study.name, study.about, study.axis.empty() ? "" : fmt::format(" [{}]", study.axis));
+        print("  {:<12} {}{}\n", study.name, study.about,
+              study.axes.empty() ? "" : fmt::format(" [{}]", study.axes.front().name));
     }
 }
 
@@ -56,7 +60,7 @@ void add_google_options(CLI::App& app, Measurement& m)
     app.add_option("--benchmark_out_format", m.out_format, "format of that file")
         ->check(formats)
         ->capture_default_str();
-    app.add_flag("--benchmark_list_tests", m.list_names, "list the names of rows; measure nothing");
+    app.add_flag("--benchmark_list_tests", m.list_names, "list the names of configurations; measure nothing");
 }
 
 void add_options(CLI::App& app, const Registry& registry, Measurement& m)
@@ -64,13 +68,15 @@ void add_options(CLI::App& app, const Registry& registry, Measurement& m)
     Options& o = m.options;
     add_selection(app, registry, o);
     app.add_option("--repetitions,--benchmark_repetitions", o.repetitions,
-                   "exact number of rounds (default: until intervals are narrow enough)")
+                   "exact number of rounds (default: until the medians' confidence intervals are narrow, within limits "
+                   "on rounds and time)")
         ->check(whole(1, 100'000));
     app.add_option("--runs", o.runs, "number of processes that repeat the study, one after the other")
         ->check(whole(1, 1000))
         ->capture_default_str();
     app.add_option("--budget", o.budget,
-                   "seconds for the timed rounds, without --repetitions (default: about three minutes in all)")
+                   "time for the timed rounds, in seconds (default: 150 less the time spent before them, but 15 to "
+                   "100); no effect with --repetitions")
         ->check(real(0, 1e6));
     app.add_option("--seed", o.seed, "seed for the order of configurations in each round")
         ->check(whole(0, 1'000'000'000))
@@ -124,9 +130,10 @@ Outputs::Done measured(Measurement& m, const Registry& registry, const std::vect
     for (const Row& row : m.result.rows) {
         if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
     }
+    const bool passed = !m.result.failed() && m.result.runs == runs;
     // With --benchmark_format, only data in that format goes to standard output.
-    return {m.quiet || !m.format.empty() ? std::string() : to_console(m.result, m.wide),
-            !m.result.failed() && m.result.runs == runs};
+    if (m.quiet || !m.format.empty()) return {"", passed};
+    return {m.result.study == demo_study ? demo_table(m.result) : to_console(m.result, m.wide), passed};
 }
 
 }  // namespace

@@ -32,8 +32,6 @@ void Outputs::add(std::string option, std::string path, std::function<std::strin
     outputs_.push_back({std::move(option), std::make_shared<std::string>(std::move(path)), std::move(text)});
 }
 
-bool Outputs::on_stdout() const { return std::ranges::any_of(outputs_, &Output::is_stdout); }
-
 void Outputs::check(const std::vector<std::string>& read) const
 {
     std::vector<NamedFile> written;
@@ -72,13 +70,6 @@ bool Outputs::write_files() const
     return all;
 }
 
-void Outputs::write_stdout() const
-{
-    for (const Output& output : outputs_) {
-        if (output.is_stdout()) print(std::string_view(output.text()));
-    }
-}
-
 void Outputs::option(CLI::App& app, const std::string& name, const std::string& about,
                      std::function<std::string()> text)
 {
@@ -92,12 +83,13 @@ int Outputs::deliver(const std::vector<std::string>& read, const std::function<D
     check(read);
     const Done done = work();
     const bool written = write_files();
-    if (on_stdout()) {
-        say(std::string_view(done.table));
-    } else {
+    const auto standard = std::ranges::find_if(outputs_, &Output::is_stdout);
+    if (standard == outputs_.end()) {
         print(std::string_view(done.table));
+    } else {
+        say(std::string_view(done.table));
+        print(std::string_view(standard->text()));
     }
-    write_stdout();
     return written && done.passed ? exit_success : exit_failure;
 }
 

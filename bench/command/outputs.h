@@ -22,22 +22,13 @@ public:
     // contents; it is called when the output is written.
     void add(std::string option, std::string path, std::function<std::string()> text);
 
-    // Throws InputError if an output cannot be written or is one of the `read` files, or if two outputs are the same.
-    void check(const std::vector<std::string>& read = {}) const;
-
-    bool on_stdout() const;
-
-    // Writes the outputs that are files. If one fails, prints a line on stderr and returns false in the end.
-    bool write_files() const;
-
-    // Throws Error if standard output cannot be written.
-    void write_stdout() const;
-
     // Declares an option that names an output, with `text` as in add().
     void option(CLI::App& app, const std::string& name, const std::string& about, std::function<std::string()> text);
 
     // Checks the outputs, calls work() and writes them. The text that work() returns, the table for the user, goes to
-    // stderr if an output is standard output. Returns the exit code: success, if work() and all writing succeeded.
+    // stderr if an output is standard output. If a file cannot be written, prints a line on stderr. Returns the exit
+    // code: success, if work() and all writing succeeded. Throws InputError if an output cannot be written or is one of
+    // the `read` files, or if two outputs are the same; Error if standard output cannot be written.
     struct Done {
         std::string table;
         bool passed = true;
@@ -51,6 +42,9 @@ private:
         std::function<std::string()> text;
         bool is_stdout() const { return *path == "-"; }
     };
+    void check(const std::vector<std::string>& read) const;
+    bool write_files() const;
+
     std::vector<Output> outputs_;
 };
 

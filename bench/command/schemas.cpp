@@ -17,11 +17,11 @@ namespace {
 
 struct Kind {
     const char* name;
-    const char* schema;  // the value of "schema" in a file of this kind
+    const char* schema;  // the value of "schema" in a file of this kind; nullptr: a list, without it
     int version;
     const char* title;
     const char* about;
-    Json (*properties)(Json& definitions);  // returns the schema of the record
+    Json (*content)(Json& definitions);  // returns the schema of the record or list
 };
 
 template <class Record>
@@ -30,19 +30,23 @@ Json properties_of(Json& definitions)
     return record_schema<Record>(definitions);
 }
 
-// The schema of a result also has what is computed from several rows. A portability file is a list of the same entries
-// as `portability` in a result.
+// Returns the schema of a result's fields, with those computed from several rows: `portability` and `winners`. A
+// portability file is the same list as `portability`.
 Json result_properties(Json& definitions)
 {
     Json schema = record_schema<Result>(definitions);
     schema["properties"]["portability"] = schema_of<std::vector<Portability>>({}, definitions);
     schema["required"].push_back("portability");
     schema["properties"]["winners"] = schema_of<std::vector<Contest>>({}, definitions);
-    schema["properties"]["winners"]["description"] = "Of a standard study. Missing in results of older builds.";
+    schema["properties"]["winners"]["description"] =
+        "Only in results of a standard study; missing in those of older builds.";
     return schema;
 }
 
 constexpr Kind kinds[] = {
+    {"portability", nullptr, 0, "Performance portability",
+     "Written by `bench portability --json`: the same list as `portability` in a result.",
+     [](Json& definitions) { return schema_of<std::vector<Portability>>({}, definitions); }},
     {"result", result_schema, schema_version, "A result of bench",
      "Times are in seconds, rates per second. An operation is an addition, subtraction, multiplication, division or "
      "square "
@@ -67,28 +71,19 @@ constexpr Kind kinds[] = {
 
 Json schema_json(const Kind& kind)
 {
+    const bool is_list = kind.schema == nullptr;
     Json definitions = Json::object();
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"$id", fmt::format("https://mandelmarch.invalid/bench/schemas/{}.schema.json", kind.name)},
-                {"title", fmt::format("{}, version {}", kind.title, kind.version)},
+                {"title", is_list ? kind.title : fmt::format("{}, version {}", kind.title, kind.version)},
                 {"description", kind.about}};
-    Json record = kind.properties(definitions);
-    Json whole = object_schema({{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}});
-    whole["properties"].update(record["properties"]);
-    for (Json& key : record["required"]) whole["required"].push_back(std::move(key));
-    schema.update(whole);
-    schema["$defs"] = std::move(definitions);
-    return schema;
-}
-
-Json portability_schema()
-{
-    Json definitions = Json::object();
-    Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                {"$id", "https://mandelmarch.invalid/bench/schemas/portability.schema.json"},
-                {"title", "Performance portability"},
-                {"description", "Written by `bench portability --json`: the same list as `portability` in a result."}};
-    schema.update(schema_of<std::vector<Portability>>({}, definitions));
+    Json content = kind.content(definitions);
+    if (!is_list) {
+        Json properties{{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}};
+        properties.update(content["properties"]);
+        content = object_schema(std::move(properties));
+    }
+    schema.update(content);
     schema["$defs"] = std::move(definitions);
     return schema;
 }
@@ -110,14 +105,13 @@ std::string compact(const Json& json, const std::string& key = "", const std::st
 
 std::vector<std::string> schema_kinds()
 {
-    std::vector<std::string> names{"portability"};
+    std::vector<std::string> names;
     for (const Kind& kind : kinds) names.emplace_back(kind.name);
     return names;
 }
 
 std::string schema_text(std::string_view name)
 {
-    if (name == "portability") return compact(portability_schema()) + "\n";
     const auto* const kind = std::ranges::find(kinds, name, &Kind::name);
     if (kind == std::end(kinds)) {
         throw InputError(

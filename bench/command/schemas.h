@@ -11,8 +11,7 @@ namespace mandelmarch::bench {
 // Returns the kinds of files: "result", "duel", ...
 std::vector<std::string> schema_kinds();
 
-// Returns the schema of a kind as it stands in bench/schemas. Throws InputError, which lists the kinds, for another
-// name.
+// Returns the schema of a kind, as in bench/schemas. For another name throws InputError, which lists the kinds.
 std::string schema_text(std::string_view kind);
 
 }  // namespace mandelmarch::bench

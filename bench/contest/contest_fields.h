@@ -75,9 +75,9 @@ struct Fields<RacePicture> {
         field("visibly_differing", &RacePicture::visibly_differing, "",
               {.about = "Pixels with a byte off by more than 2."}),
         field("first_x", &RacePicture::first_x, "",
-              {.min = -1, .about = "Of the first differing pixel, from the left; -1: none."}),
+              {.min = -1, .about = "Column of the first differing pixel, from the left; -1: none."}),
         field("first_y", &RacePicture::first_y, "",
-              {.min = -1, .about = "Of the first differing pixel, from the bottom; -1: none."}),
+              {.min = -1, .about = "Row of the first differing pixel, from the bottom; -1: none."}),
         field("psnr_db", &RacePicture::psnr, "", rules::infinite)};
 };
 
@@ -97,14 +97,15 @@ struct Fields<RacedProgram> {
         field("ours", &RacedProgram::ours),
         field("verdict", &RacedProgram::verdict),
         derived_field("why", [](const RacedProgram& racer) { return printable(racer.why); }, "",
-                      {.null = Null::empty, .about = "Why there is no speed; null if there is one."}),
+                      {.null = Null::empty, .about = "Why the verdict is neither same nor close; else null."}),
         field("exit_code", &RacedProgram::exit_code, "",
-              {.about = "Of the last run; null if the program did not end by itself."}),
-        field("signal", &RacedProgram::signal, "", {.about = "That ended the last run; null if none did."}),
+              {.about = "Of the last run that ended by itself; null if none did."}),
+        field("signal", &RacedProgram::signal, "", {.about = "Signal that ended the last run; null if none did."}),
         field("picture", &RacedProgram::picture, "",
               {.about = "Comparison with the scalar kernel's picture; null if there is no picture of the right size."}),
         field("memory", &RacedProgram::memory, "", {.about = "Peak resident bytes of the program's largest process."}),
-        field("wall", &RacedProgram::wall, "", {.about = "Seconds from start to end; null with a wrong picture."}),
+        field("wall", &RacedProgram::wall, "",
+              {.about = "Seconds from start to end; null unless all pictures are correct."}),
         field("times_ours", &RacedProgram::times_ours, "",
               {.about = "This program's wall time / the wall time of our first program."}),
         field("samples", &RacedProgram::samples)};

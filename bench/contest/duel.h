@@ -51,9 +51,9 @@ struct Duel {
 
 inline constexpr std::string_view all_rows = "all rows";
 
-// Sets the verdicts: of each configuration and, if several were tested, also of the geometric mean of their ratios,
-// which comes last; see bench/verdict.h. From each run the median of the pairs' ratios is taken. Student's t on the
-// logarithms of these medians tests whether the true ratio lies beyond the margin.
+// Sets the verdicts (bench/judge/verdict.h): one for each configuration and, if several were tested, a last one for the
+// geometric mean of their ratios. Each run contributes the median of its pairs' ratios. Student's t on the logarithms
+// of these medians tests whether the true ratio lies beyond the margin.
 Duel judged(Duel duel);
 
 std::string to_console(const Duel& duel);

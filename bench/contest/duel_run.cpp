@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double last_wait = 2;  // seconds for a program that has closed its socket
+constexpr double last_wait = 2;  // seconds for the end of a program that has closed its socket
 
 // One of the two bench processes.
 class DuelProcess {
@@ -53,8 +53,8 @@ public:
         }
         socket_.emplace(Descriptor(pair[0]));
         const Descriptor theirs(pair[1]);
-        // Waiting threads sleep. OpenMP's would otherwise spin on the cores that the other program uses, and count as
-        // processor time.
+        // Makes waiting threads sleep. OpenMP's would otherwise spin on the cores that the other program uses, and
+        // their spinning would count as processor time.
         setenv("OMP_WAIT_POLICY", "passive", 1);
         std::vector<std::string> words{program};
         words.insert(words.end(), arguments.begin(), arguments.end());
@@ -62,7 +62,7 @@ public:
         process_.emplace(ChildSetup{.words = std::move(words), .program = program, .input = theirs.number()});
     }
 
-    // Closes the socket, at which the process exits; kills it if it has not ended soon after.
+    // Closes the socket, which makes the process exit. Kills the process if it has not ended soon after.
     ~DuelProcess()
     {
         socket_.reset();
@@ -74,7 +74,7 @@ public:
     {
         const Json hello = receive();
         try {
-            if (hello.at("version") != on_demand_version) throw Error("is a bench whose duels are of another version");
+            if (hello.at("version") != on_demand_version) throw Error("is a bench with another version of duels");
             environment_ = hello.at("environment");
             for (const Json& row : hello.at("rows")) {
                 const Json& failure = row.at("failure");
@@ -145,7 +145,7 @@ void check_program(const std::string& program)
     }
 }
 
-// Returns the arguments of both programs, besides those that bench::words_of() returns.
+// Returns the arguments of both programs. `first`: true for the first run, which verifies the pictures.
 std::vector<std::string> arguments_of(const DuelOptions& options, bool first)
 {
     std::vector<std::string> words = words_of(options.rows);
@@ -236,11 +236,11 @@ private:
         if (found == now.rows().end()) return "there is no such row";
         if (!found->second.failure.empty()) return found->second.failure;
         if (options_.clock == DuelClock::processor && !found->second.in_process) {
-            return "a driver draws it, whose processor time is not known";
+            return "a driver renders it in another process, whose processor time is unknown";
         }
         const auto before = first.find(name);
         const bool same = before != first.end() && before->second.fingerprint == found->second.fingerprint;
-        return same ? std::string() : "the picture is not the one that was verified in the first run";
+        return same ? std::string() : "the picture differs from the one verified in the first run";
     }
 
     void look(DuelRow& row, const DuelProcess& old_one, const DuelProcess& new_one)

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/machine/environment.h"
-#include "bench/harness/prepare.h"
+#include "bench/harness/verify.h"
 #include "core/base/error.h"
 
 namespace mandelmarch::bench {

@@ -53,7 +53,7 @@ struct RacedProgram {
     std::string name;
     bool ours = false;
     RaceVerdict verdict = RaceVerdict::no_start;
-    std::string why{};  // why there is no speed, in words
+    std::string why{};  // why the verdict is neither same nor close; else empty
     std::optional<int> exit_code{}, signal{};
     std::optional<RacePicture> picture{};  // if it has the right size
     std::uint64_t memory = 0;              // peak resident bytes of its largest process
@@ -98,12 +98,11 @@ struct RaceOptions {
 
 // Runs each program as `PROGRAM scene.dat` in a folder that contains only this parameter file. The file names the
 // picture image.bmp, which is then compared with our scalar kernel's picture in double and exact mode. Programs with a
-// correct picture are timed as whole processes, in rounds of random order, together with our `render` on the backend
-// that the options select (all: openmp). Each round has its own view of the scene, so that a picture kept from an
-// earlier run is wrong; the pictures of the rounds must be correct, too. A program whose first run took more than
-// longest_repeated is not run again: that run is its sample. `progress` receives the completed fraction, 0 to 1. Throws
-// InputError if a program is not an executable file or the scene cannot be read, Error if our own picture cannot be
-// rendered.
+// correct picture are timed as whole processes, in rounds of random order, together with our `render` on
+// options.backend. Each round has its own view of the scene, so that a picture kept from an earlier run is wrong; the
+// pictures of the rounds must be correct, too. A program whose first run took more than longest_repeated is not run
+// again: that run is its sample. `progress` receives the completed fraction, 0 to 1. Throws InputError if a program is
+// not an executable file or the scene cannot be read, Error if our own picture cannot be rendered.
 inline constexpr double longest_repeated = 20;  // seconds
 Race run_race(const RaceOptions& options, const Registry& registry, const std::function<void(double)>& progress);
 

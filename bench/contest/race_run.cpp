@@ -106,8 +106,8 @@ public:
             return words;
         };
         if (access(render.c_str(), X_OK) != 0) {
-            throw InputError(
-                fmt::format("bench race: {}: not there, expected the program beside bench", render.string()));
+            throw InputError(fmt::format("bench race: {}: not found, expected our renderer in the folder of bench",
+                                         render.string()));
         }
         expected_ = ours("openmp", {"--simd-width", "1"});
         race_.racers.push_back({.name = "mandelmarch " + options.backend, .ours = true});
@@ -160,7 +160,7 @@ private:
 
     Image expected(const std::string& parameters)
     {
-        RacedProgram scalar{.name = "the scalar text", .ours = true};
+        RacedProgram scalar{.name = "the scalar kernel", .ours = true};
         view_.parameters = parameters;
         Drawn drawn = draw(scalar, expected_);
         if (!drawn.image) throw Error(fmt::format("bench race: our own picture: {}", scalar.why));
@@ -168,7 +168,7 @@ private:
     }
 
     // Returns a new view whose picture differs visibly from the official one, so that a program cannot use a picture
-    // that it kept from an earlier run. If the views next to this scene's look alike, adds a warning.
+    // that it kept from an earlier run. If nearby views look alike, adds a warning.
     View another_view(const Image& official)
     {
         for (double share = first_move;; share *= 2) {
@@ -180,8 +180,7 @@ private:
             if (visible) return view;
             if (share > last_move) {
                 const std::string blind =
-                    "views beside this scene's do not differ visibly: a picture kept from an earlier run is not "
-                    "noticed";
+                    "pictures of nearby views do not differ visibly: one kept from an earlier run is not noticed";
                 if (std::ranges::find(race_.warnings, blind) == race_.warnings.end()) race_.warnings.push_back(blind);
                 return view;
             }
@@ -275,7 +274,8 @@ private:
         }
     }
 
-    // Runs a program on the round's view and checks the picture, if its pictures have been correct so far.
+    // Runs a program on the round's view and checks its picture. Does nothing if an earlier picture of the program was
+    // not right.
     void again(std::size_t i, int round)
     {
         RacedProgram& racer = race_.racers[i];

@@ -4,18 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "bench/counting/counting_kernel.h"
 #include "bench/base/statistics.h"
-#include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
+#include "flight/field/threads.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -69,26 +67,20 @@ Count counted(const Scene& scene, const CountOptions& options, std::span<const B
     }
     const auto kernel = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
     std::vector<BlockCount> counts(blocks.size());
-    std::atomic<std::size_t> next = 0;
-    {
-        std::vector<std::jthread> threads;
-        for (int i = 0; i < usable_threads(); ++i) {
-            threads.emplace_back([&] {
-                for (std::size_t block = next++; block < blocks.size(); block = next++) {
-                    BlockCount mine;
-                    std::vector<RaySteps> rays;
-                    each_pixel(blocks[block], scene.width, scene.height, [&](int column, int row) {
-                        count_pixel(kernel, column, row, mine.pixels, rays.emplace_back());
-                        mine.steps += rays.back().size();
-                        for (const int iterations : rays.back()) mine.iterations += static_cast<unsigned>(iterations);
-                    });
-                    for (const int lanes : options.lanes) mine.lanes.emplace_back(lanes).add(rays);
-                    mine.drawn = rays.size();
-                    counts[block] = std::move(mine);
-                }
+    parallel(blocks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
+        for (std::size_t block = first; block < last; ++block) {
+            BlockCount mine;
+            std::vector<RaySteps> rays;
+            each_pixel(blocks[block], scene.width, scene.height, [&](int column, int row) {
+                count_pixel(kernel, column, row, mine.pixels, rays.emplace_back());
+                mine.steps += rays.back().size();
+                for (const int iterations : rays.back()) mine.iterations += static_cast<unsigned>(iterations);
             });
+            for (const int lanes : options.lanes) mine.lanes.emplace_back(lanes).add(rays);
+            mine.drawn = rays.size();
+            counts[block] = std::move(mine);
         }
-    }
+    });
     return together(counts, options, every_pixel);
 }
 

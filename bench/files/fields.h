@@ -3,7 +3,7 @@
 // published JSON Schema follow from the list. To describe a record, specialise Fields (bench/files/result_fields.h).
 //
 // A field's value may be a bool, a number, a text, an enumeration (Names), an Interval, JSON, a described record, or a
-// std::optional, std::vector or std::array of these; written, but not read, also a std::map of them by name.
+// std::optional, std::vector or std::array of these. A std::map of them by name is written, but not read.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ inline constexpr double max_integer = 0x1p53;
 struct Rule {
     double min = 0, max = max_integer;  // limits of a number
     Null null = Null::none;
-    bool timed = false;      // its cells are empty for a configuration without a speed
+    bool timed = false;      // the field's CSV cells are empty for a configuration without a speed
     const char* about = "";  // description in the schema
 };
 
@@ -181,7 +181,7 @@ Json to_json(const T& value, const Rule& rule)
     }
 }
 
-// Returns a file with a record: the name and version of its format, then the record's fields.
+// Returns the contents of a file: the name and version of its format, then the record's fields.
 template <class Record>
 Json document(const char* schema, int version, const Record& record)
 {
@@ -190,7 +190,7 @@ Json document(const char* schema, int version, const Record& record)
     return json;
 }
 
-// Why a value cannot be read, and its place: "rows[3].setting.width".
+// The reason why a value cannot be read, and the value's place in the file: "rows[3].setting.width".
 struct Refusal {
     std::string place, why;
 };

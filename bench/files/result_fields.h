@@ -107,12 +107,12 @@ struct Fields<Figures> {
         field("upload_seconds", &Figures::upload, "upload_s"),
         field("host_seconds", &Figures::host, "host_s"),
         field("readback_seconds", &Figures::readback, "readback_s"),
-        field(
-            "unaccounted_share", &Figures::unaccounted, "",
-            {.min = -1e30,
-             .max = 1,
-             .about = "Fraction of the wall time that upload, host and readback leave unaccounted for. null: the wall "
-                      "time has further parts."}),
+        field("unaccounted_share", &Figures::unaccounted, "",
+              {.min = -1e30,
+               .max = 1,
+               .about =
+                   "Fraction of the wall time that upload, host and readback leave unaccounted for. null if a sample "
+                   "is several pictures from a fresh renderer, as its wall time has further parts."}),
         field("pixels_per_second", &Figures::pixel_rate, "pixels_per_s"),
         field("de_calls_per_second", &Figures::estimate_rate, "de_calls_per_s"),
         field("iterations_per_second", &Figures::iteration_rate, "iterations_per_s"),
@@ -120,7 +120,7 @@ struct Fields<Figures> {
         field("peak_operations_per_second", &Figures::peak, "peak_operations_per_s"),
         field("share_of_peak", &Figures::share, "share_of_peak"),
         field("share_of_peak_standard_error", &Figures::share_error, "share_of_peak_standard_error",
-              {.about = "As far as it comes from the operations, which are counted on a sample of the pixels."}),
+              {.about = "The part that comes from counting operations on a sample of the pixels only."}),
         field("bound_seconds", &Figures::bound, "bound_s"),
         field("speed_up", &Figures::speed_up, "speed_up"),
         field("over_scalar", &Figures::over_scalar, "over_scalar",
@@ -140,7 +140,7 @@ struct Fields<Row> {
         derived_field(
             "application", &Row::application, "backend",
             {.about = "Name under which rows are compared: the backend, or BACKEND-scalar for the scalar kernel in "
-                      "the standard study."}),
+                      "the studies standard and demo."}),
         field("device", &Row::device, "device"),
         field("sweep_value", &Row::sweep_value, "sweep_value", {.about = "NAME=VALUE in a sweep, else empty."}),
         field("setting", &Row::setting),
@@ -160,12 +160,13 @@ struct Fields<Row> {
         field("step_factor", &Row::step_factor, "",
               {.max = 1,
                .null = Null::zero,
-               .about = "Length of fast mode's plain steps, in distance estimates, that the trial chose; null if there "
-                        "was no trial."}),
-        field("unsettled", &Row::unsettled, "",
-              {.max = 1,
-               .about = "Fraction of the trial's pixels that shorter steps would still change visibly; 0 if they are "
-                        "few."}),
+               .about = "Length of fast mode's plain steps, in distance estimates, chosen by a trial render; null if "
+                        "there was none."}),
+        field(
+            "unsettled", &Row::unsettled, "",
+            {.max = 1,
+             .about = "Fraction of the trial render's pixels that shorter steps would still change visibly; 0 if they "
+                      "are few."}),
         field("work", &Row::work),
         field("operations", &Row::operations, "operations", rules::rate),
         field("operations_standard_error", &Row::operations_error, "operations_standard_error",
@@ -307,11 +308,11 @@ struct Fields<Judged> {
     static constexpr std::tuple list{
         field("name", &Judged::name, "", {.about = "Name of a row, or `all rows` for the geometric mean of the rows."}),
         field("verdict", &Judged::verdict),
-        field("why", &Judged::why, "", {.null = Null::empty, .about = "Why nothing was tested; null if it was."}),
+        field("why", &Judged::why, "", {.null = Null::empty, .about = "Why the ratio was not tested; null if it was."}),
         derived_field("ratio", [](const Judged& row) { return if_tested(row, row.difference.ratio); }, "",
                       {.about = "Ratio of times, new / old."}),
         derived_field("interval", [](const Judged& row) { return if_tested(row, row.difference.interval); }, "",
-                      {.about = "95 %, of the ratio."}),
+                      {.about = "95 % interval of the ratio."}),
         derived_field("p", [](const Judged& row) { return if_tested(row, row.p); }, "",
                       {.about = "After Holm's correction."}),
         field("runs", &Judged::new_units)};

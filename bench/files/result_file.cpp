@@ -36,7 +36,7 @@ Json parsed(const std::string& text, const std::string& name)
 
 Json schema_in(const Json& json) { return json.is_object() ? json.value("schema", Json()) : Json(); }
 
-// Throws Refusal.
+// Throws Refusal if two configurations have the same name, or operation counts have no lane utilisation.
 void check(const Result& result)
 {
     std::set<std::string> names;
@@ -50,10 +50,10 @@ void check(const Result& result)
     }
 }
 
-// Throws Refusal.
+// Returns the result that the JSON holds. Throws Refusal.
 Result result_of(Json json)
 {
-    if (schema_in(json) != result_schema) throw Refusal{"", "no result of bench"};
+    if (schema_in(json) != result_schema) throw Refusal{"", "not a result of bench"};
     upgrade(json);
     if (const Json version = json.value("version", Json()); version != schema_version) {
         throw Refusal{"", fmt::format("version {} of the result format, expected {}", printable(version.dump(), 80),
@@ -92,14 +92,14 @@ Result result_from_json(const Json& json, const std::string& name)
         throw InputError(fmt::format("{}: {}{}{}, expected a result of bench --json", name, refusal.place,
                                      refusal.place.empty() ? "" : ": ", refusal.why));
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(fmt::format("{}: no result of bench: {}", name, error.what()));
+        throw InputError(fmt::format("{}: not a result of bench: {}", name, error.what()));
     }
 }
 
 Result parse_result(const std::string& text, const std::string& name)
 {
     const Json json = parsed(text, name);
-    if (json.is_discarded()) throw InputError(name + ": no JSON, expected a result file of bench --json");
+    if (json.is_discarded()) throw InputError(name + ": not JSON, expected a result file of bench --json");
     return result_from_json(json, name);
 }
 

@@ -22,8 +22,8 @@ Result read_result(const std::string& path);
 // Reads a result. Returns nullopt for a file of another kind, JSON or not. Throws InputError if the file cannot be read
 // or is a damaged result.
 std::optional<Result> read_if_result(const std::string& path);
-// Reads a file of bench and returns its contents in the current format: of a result with all figures computed again
-// from its samples. Throws InputError if the file cannot be read or is none.
+// Reads a file of bench and returns its contents in the current format. In a result, all figures are computed again
+// from the samples. Throws InputError if the file cannot be read or is not a file of bench.
 nlohmann::ordered_json upgraded_json(const std::string& path);
 // Returns the paths of the given files. A folder is replaced by the files in it and its subfolders whose names end in
 // .json, sorted.

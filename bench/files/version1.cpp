@@ -21,7 +21,8 @@ constexpr Names keys[] = {{"block", "block_size"},      {"fine", "passed"},
                           {"roots", "square_roots"},    {"stride", "step_factor"},
                           {"sums", "additions"},        {"yardstick", "is_expected"}};
 
-// Parts of texts: sweep values, disabled optimisations, names of pictures, and the study of SIMD widths.
+// Parts of texts that are replaced: sweep values, disabled optimisations, names of pictures, and the study of SIMD
+// widths.
 constexpr Names texts[] = {{"block=", "block-size="},
                            {"blocks", "block-sizes"},
                            {"normal", "gradient"},
@@ -76,7 +77,7 @@ Json active_lanes(const Json& json, const std::string& how)
     return {{"in_steps", json[steps]}, {"in_iterations", json.value(how + "active_in_iterations", Json())}};
 }
 
-// The oldest results have one vector length only, without refill.
+// Returns the list of lane utilisations. The oldest results have only one vector length, and none with refill.
 Json lane_use(const Json& counted)
 {
     Json list = Json::array();
@@ -92,7 +93,7 @@ Json lane_use(const Json& counted)
     return list;
 }
 
-// Adds what older builds did not write.
+// Adds the fields that older builds did not write.
 void complete(Json& result)
 {
     for (Json& row : result["rows"]) {
@@ -103,7 +104,7 @@ void complete(Json& result)
         add(row, "unsettled", 0);
         add(row, "operations_standard_error", nullptr);
         for (Json& sample : row["samples"]) {
-            // Their kernel time was measured by the host's clock.
+            // Builds without this field measured the kernel time by the host's clock.
             if (sample.is_object()) add(sample, "host", sample.value("kernel", Json()));
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of version 1, the format before words of the field replaced the project's own.
+// Converts files in version 1 of the format, which has other names for the same quantities.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -4,56 +4,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+
+#include "bench/study/cases.h"
+#include "core/base/error.h"
 
 namespace mandelmarch::bench {
 namespace {
 
 constexpr double near_enough = 0.05;
+constexpr int most_repeats = 3;  // further measurements of a doubtful peak
 
 bool same_device(const Peak& a, const Peak& b)
 {
     return a.platform == b.platform && a.backend == b.backend && a.device == b.device && a.precision == b.precision;
 }
 
-// Returns the two highest rates; the second is 0 if there is only one.
-std::pair<double, double> highest(const std::vector<Peak>& peaks)
-{
-    std::pair<double, double> found{0, 0};
-    for (const Peak& peak : peaks) {
-        if (peak.rate > found.first) {
-            found = {peak.rate, found.first};
-        } else {
-            found.second = std::max(found.second, peak.rate);
-        }
-    }
-    return found;
-}
+// Returns the second highest rate; 0 if there is none.
+double second(const std::vector<Peak>& peaks) { return peaks.size() < 2 ? 0 : peaks[1].rate; }
 
-bool is_doubtful(const std::vector<Peak>& peaks)
-{
-    const auto [first, second] = highest(peaks);
-    return second < (1 - near_enough) * first;
-}
+bool is_doubtful(const std::vector<Peak>& peaks) { return second(peaks) < (1 - near_enough) * peaks.front().rate; }
 
 }  // namespace
 
 void PeakRecord::add(const std::vector<Peak>& peaks)
 {
     for (const Peak& peak : peaks) {
-        const auto same = std::ranges::find_if(
+        auto same = std::ranges::find_if(
             measured_, [&](const std::vector<Peak>& known) { return same_device(known.front(), peak); });
-        if (same == measured_.end()) {
-            measured_.push_back({peak});
-        } else {
-            same->push_back(peak);
-        }
+        if (same == measured_.end()) same = measured_.insert(same, std::vector<Peak>());
+        same->insert(std::ranges::lower_bound(*same, peak.rate, std::greater(), &Peak::rate), peak);
     }
 }
 
 std::vector<Peak> PeakRecord::best() const
 {
     std::vector<Peak> found;
-    for (const std::vector<Peak>& peaks : measured_) found.push_back(*std::ranges::max_element(peaks, {}, &Peak::rate));
+    for (const std::vector<Peak>& peaks : measured_) found.push_back(peaks.front());
     return found;
 }
 
@@ -71,12 +58,61 @@ std::vector<std::string> PeakRecord::warnings() const
     std::vector<std::string> found;
     for (const std::vector<Peak>& peaks : measured_) {
         if (!is_doubtful(peaks)) continue;
-        const auto [first, second] = highest(peaks);
+        const Peak& best = peaks.front();
         found.push_back(fmt::format("peak: {} {}, {}: {:.1f} GFLOP/s is the best of {}, the next is {:.1f}",
-                                    peaks.front().backend, peaks.front().device, name_of(peaks.front().precision),
-                                    1e-9 * first, peaks.size(), 1e-9 * second));
+                                    best.backend, best.device, name_of(best.precision), 1e-9 * best.rate, peaks.size(),
+                                    1e-9 * second(peaks)));
     }
     return found;
+}
+
+std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
+                                const std::function<bool(const Peak&)>& wanted)
+{
+    struct Asked {
+        const Backend* backend;
+        Peak peak;
+    };
+    std::vector<Asked> asked;
+    for (const auto& backend : registry.backends()) {
+        // The highest peak of a device may be reached by any backend, so all are measured, including those that are not
+        // timed.
+        int index = 0;
+        for (const Device& device : listing_of(*backend).devices) {
+            for (const Precision precision : options.precisions) {
+                Peak peak{platform_of(device), std::string(backend->name()), index, precision, 0};
+                if (wanted(peak)) asked.push_back({backend.get(), std::move(peak)});
+            }
+            ++index;
+        }
+    }
+    std::vector<Peak> peaks;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        Peak& peak = asked[i].peak;
+        phase({"multiply-add peaks", static_cast<double>(i) / static_cast<double>(asked.size()),
+               fmt::format("{} {}", peak.backend, name_of(peak.precision))});
+        try {
+            const auto rate = asked[i].backend->multiply_add_peak({.device = peak.device, .precision = peak.precision});
+            if (!rate) continue;
+            peak.rate = *rate;
+            peaks.push_back(std::move(peak));
+        } catch (const Error&) {
+            continue;  // no support for double, for example; a failing device is reported in its rows
+        }
+    }
+    return peaks;
+}
+
+PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again)
+{
+    for (int i = 0; i < most_repeats; ++i) {
+        const std::vector<Peak> doubtful = record.doubtful();
+        if (doubtful.empty()) break;
+        record.add(again([&](const Peak& peak) {
+            return std::ranges::any_of(doubtful, [&](const Peak& d) { return same_device(d, peak); });
+        }));
+    }
+    return record;
 }
 
 }  // namespace mandelmarch::bench

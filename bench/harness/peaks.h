@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Peaks that are measured several times, and a check whether the highest one is credible.
+// Multiply-add peaks, which are measured several times, and a check whether the highest one is credible.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "bench/result/result.h"
+#include "bench/harness/runner.h"
 
 namespace mandelmarch::bench {
 
@@ -26,8 +27,18 @@ public:
     std::vector<std::string> warnings() const;
 
 private:
-    // One list for each backend, device and precision, in the order of measurement.
+    // One list for each backend, device and precision, the highest rate first.
     std::vector<std::vector<Peak>> measured_;
 };
+
+// Measures the multiply-add peak of every device in the selected precisions. Backends without a peak kernel are left
+// out. `wanted` is called with each peak before it is measured (rate 0); if it returns false, the peak is not measured.
+inline bool every_peak(const Peak&) { return true; }
+std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
+                                const std::function<bool(const Peak&)>& wanted = every_peak);
+
+// Measures doubtful peaks again, at most three times. Returns the record with the added measurements.
+using PeakMeasurement = std::function<std::vector<Peak>(const std::function<bool(const Peak&)>& wanted)>;
+PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again);
 
 }  // namespace mandelmarch::bench

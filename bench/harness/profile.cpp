@@ -6,8 +6,6 @@
 #include <array>
 
 #include "backends/openmp/profile.h"
-#include "bench/study/cases.h"
-#include "bench/study/views.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
@@ -19,7 +17,7 @@ namespace {
 constexpr int usual_repetitions = 7;
 constexpr std::array<const char*, openmp::stages> stage_names{"begin", "march", "refine", "normal", "shade", "output"};
 
-// Renders the picture with the registry's openmp backend, with which the profiled picture is compared.
+// Renders the picture with the registry's openmp backend. The profiled picture must equal it.
 Image own_picture(const Registry& registry, const Scene& scene, Precision precision, Mode mode)
 {
     const Backend* backend = registry.find("openmp");

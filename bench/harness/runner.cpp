@@ -40,13 +40,13 @@ public:
     {
     }
 
-    void run(const RoundProgress& progress)
+    void run(const Phase& phase)
     {
         for (int round = 0; round < most(); ++round) {
             std::vector<TimedCase*> order = unfinished();
             if (order.empty()) break;
             std::shuffle(order.begin(), order.end(), random_);
-            draw(order, round, progress);
+            draw(order, round, phase);
             for (TimedCase* row : order) row->done = row->done || finished(*row);
         }
     }
@@ -63,14 +63,14 @@ private:
 
     int most() const { return rules_.repetitions.value_or(rules_.most); }
 
-    void draw(const std::vector<TimedCase*>& order, int round, const RoundProgress& progress)
+    void draw(const std::vector<TimedCase*>& order, int round, const Phase& phase)
     {
         const std::string text =
             fmt::format("round {} of {}{}", round + 1, rules_.repetitions ? "" : "at most ", most());
         for (std::size_t i = 0; i < order.size(); ++i) {
             if (!out_of_time() || order[i]->one->row.samples.empty()) draw(*order[i], round);
             const double of_round = static_cast<double>(i + 1) / static_cast<double>(order.size());
-            progress(share((round + of_round) / most()), text);
+            phase({"timing", share((round + of_round) / most()), text});
         }
     }
 
@@ -159,13 +159,23 @@ Sample draw_sample(TimedCase& row, Image& image)
     }
     sample.processor = (processor_seconds() - processor) / std::max(1, frames);
     if (fingerprint(image) != row.fingerprint) {
-        throw Error("the timed picture is not the one that was proven");
+        throw Error("the timed picture differs from the verified one");
     }
     return sample;
 }
 
+Rules rules_of(const Options& options)
+{
+    return {.repetitions = options.repetitions,
+            .row_budget = options.study->row_budget,
+            .most = options.study->most_rounds,
+            .seed = options.seed,
+            .run = options.run};
+}
+
 void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
 {
+    if (rules.repetitions) return;
     for (TimedCase& live : rows) {
         if (live.expected <= rules.long_picture) continue;
         const Timings& t = live.first.timings;
@@ -180,9 +190,9 @@ void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
     }
 }
 
-void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const RoundProgress& progress)
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase)
 {
-    Rounds(rows, rules).run(progress);
+    Rounds(rows, rules).run(phase);
 }
 
 }  // namespace mandelmarch::bench

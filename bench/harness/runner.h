@@ -17,6 +17,14 @@
 
 namespace mandelmarch::bench {
 
+// The current phase, its completed fraction, 0 to 1, and the position within it, "round 3 of 40".
+struct Step {
+    std::string what;
+    double share = 0;
+    std::string detail{};
+};
+using Phase = std::function<void(const Step&)>;
+
 // A verified configuration, ready to be timed.
 struct TimedCase {
     Case* one = nullptr;
@@ -40,15 +48,16 @@ struct Rules {
     int run = 0;
 };
 
-// Marks each configuration as done whose picture takes longer than rules.long_picture, with the verified picture as its
-// only sample.
+// Returns the rules of the options and of their study.
+Rules rules_of(const Options& options);
+
+// Marks each configuration whose picture takes longer than rules.long_picture as done; the verified picture is its only
+// sample. Does nothing if the number of rounds is given.
 void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules);
 
 // Renders the rounds and adds the samples to the configurations. If a backend throws, or a picture differs from the
-// verified one, its configuration fails and loses its samples. `progress` receives the completed fraction, 0 to 1, and
-// the round, "round 3 of 40".
-using RoundProgress = std::function<void(double share, const std::string& round)>;
-void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const RoundProgress& progress);
+// verified one, its configuration fails and loses its samples.
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase);
 
 // Takes one sample: one picture, or setting.frames pictures from a fresh renderer. Throws what the backend throws, and
 // Error if the picture is not the verified one.

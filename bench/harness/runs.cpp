@@ -67,7 +67,7 @@ Result with_further_runs(Result first, int count, const RunProcess& run)
 Result run_again(const std::vector<std::string>& arguments, int run)
 {
     const MemoryFile file;
-    // Under the name by which this program was called.
+    // Start this program again, by the name by which it was called.
     std::vector<std::string> words{program_invocation_name};
     words.insert(words.end(), arguments.begin(), arguments.end());
     words.insert(words.end(), {"--quiet", "--json", "-", "--run", std::to_string(run)});
@@ -80,7 +80,7 @@ Result run_again(const std::vector<std::string>& arguments, int run)
     try {
         return parse_result(text, "its result");
     } catch (const InputError& error) {
-        throw Error(fmt::format("ended with {} and left no whole result: {}", code, error.what()));
+        throw Error(fmt::format("ended with {} and left an incomplete result: {}", code, error.what()));
     }
 }
 

@@ -4,23 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "bench/machine/environment.h"
 #include "bench/result/figures.h"
-#include "bench/harness/prepare.h"
+#include "bench/harness/peaks.h"
 #include "bench/harness/profile.h"
-#include "bench/harness/runner.h"
+#include "bench/harness/verify.h"
 #include "bench/machine/steadiness.h"
 #include "bench/machine/telemetry.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
-#include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int most_repeats = 3;  // further measurements of a doubtful peak
 // Seconds. The timed rounds get the part of whole_budget that verification, counting and the first peaks have left, but
 // at least least_budget and at most usual_budget.
 constexpr double whole_budget = 150;
@@ -52,57 +50,6 @@ void count_all(std::vector<TimedCase>& rows, Result& result, const Phase& phase)
 
 }  // namespace
 
-std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
-                                const std::function<bool(const Peak&)>& wanted)
-{
-    struct Asked {
-        const Backend* backend;
-        Peak peak;
-    };
-    std::vector<Asked> asked;
-    for (const auto& backend : registry.backends()) {
-        // The highest peak of a device may be reached by any backend, so all are measured, including those that are not
-        // timed.
-        int index = 0;
-        for (const Device& device : listing_of(*backend).devices) {
-            for (const Precision precision : options.precisions) {
-                Peak peak{platform_of(device), std::string(backend->name()), index, precision, 0};
-                if (wanted(peak)) asked.push_back({backend.get(), std::move(peak)});
-            }
-            ++index;
-        }
-    }
-    std::vector<Peak> peaks;
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        Peak& peak = asked[i].peak;
-        phase({"multiply-add peaks", static_cast<double>(i) / static_cast<double>(asked.size()),
-               fmt::format("{} {}", peak.backend, name_of(peak.precision))});
-        try {
-            const auto rate = asked[i].backend->multiply_add_peak({.device = peak.device, .precision = peak.precision});
-            if (!rate) continue;
-            peak.rate = *rate;
-            peaks.push_back(std::move(peak));
-        } catch (const Error&) {
-            continue;  // no support for double, for example; a failing device is reported in its rows
-        }
-    }
-    return peaks;
-}
-
-PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again)
-{
-    for (int i = 0; i < most_repeats; ++i) {
-        const std::vector<Peak> doubtful = record.doubtful();
-        if (doubtful.empty()) break;
-        record.add(again([&](const Peak& peak) {
-            return std::ranges::any_of(doubtful, [&](const Peak& d) {
-                return d.backend == peak.backend && d.device == peak.device && d.precision == peak.precision;
-            });
-        }));
-    }
-    return record;
-}
-
 Result measure(const Registry& registry, const Options& options, const Phase& phase)
 {
     Result result;
@@ -111,7 +58,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     Steadiness steadiness;
     result.environment = environment(registry);
     std::vector<Case> cases = cases_of(registry, options);
-    if (cases.empty()) throw InputError("bench: no row is left by these options (bench --list shows the rows)");
+    if (cases.empty()) throw InputError("bench: these options select no configuration (bench --list shows all)");
     for (const Case& one : cases) {
         if (one.backend != nullptr || options.backends != std::vector{one.row.backend}) continue;
         if (!one.row.failure.empty()) throw Error(one.row.failure);
@@ -119,26 +66,21 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     }
 
     const auto start = Clock::now();
-    Rules rules{.repetitions = options.repetitions, .seed = options.seed, .run = options.run};
-    ExpectedPictures pictures(registry);
-    std::vector<TimedCase> live;
-    const std::vector<Case*> order = pictures.grouped(cases);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        phase({"verification", static_cast<double>(i) / static_cast<double>(order.size())});
-        if (auto row = verified_case(*order[i], pictures)) live.push_back(std::move(*row));
-    }
-    if (!rules.repetitions) keep_long_pictures(live, rules);
-    count_all(live, result, phase);
-    if (options.study->name == "profile") result.stages = profile(registry, options, phase);
+    Rules rules = rules_of(options);
+    std::vector<TimedCase> live = verified_cases(cases, registry, phase);
+    keep_long_pictures(live, rules);
+    if (options.study->counts) count_all(live, result, phase);
+    if (options.study->stages) result.stages = profile(registry, options, phase);
     const PeakMeasurement peaks = [&](const auto& wanted) {
-        return options.peaks ? measure_peaks(registry, options, phase, wanted) : std::vector<Peak>();
+        const bool measured = options.peaks && options.study->peaks;
+        return measured ? measure_peaks(registry, options, phase, wanted) : std::vector<Peak>();
     };
     PeakRecord record;
     record.add(peaks(every_peak));
     const double spent = seconds_since(start);
     rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
     const Telemetry telemetry;
-    run_rounds(live, rules, [&](double share, const std::string& round) { phase({"timing", share, round}); });
+    run_rounds(live, rules, phase);
     const nlohmann::ordered_json told = telemetry.since_start();
     // Measure the peaks again: if the machine was slower before the rounds, those peaks are too low, and the shares of
     // peak would be too high.
@@ -147,8 +89,8 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     result.peaks = record.best();
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     result.warnings = record.warnings();
-    if (std::getenv("MANDELMARCH_REHEARSAL") != nullptr) {  // packaging/gpu_check
-        result.warnings.emplace(result.warnings.begin(), "a rehearsal: what is called a GPU may be none");
+    if (!environment_variable("MANDELMARCH_REHEARSAL").empty()) {  // packaging/gpu_check
+        result.warnings.emplace(result.warnings.begin(), "a rehearsal: a device called a GPU may not be one");
     }
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
     result.environment["during"] = steadiness.during();

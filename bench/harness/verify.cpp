@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/base/memory.h"
 #include "core/render/agreement.h"
 #include "core/scene/fractal.h"
 
@@ -13,6 +15,54 @@ namespace mandelmarch::bench {
 namespace {
 
 constexpr std::size_t most_reference_pixels = 1 << 20;
+
+// Throws Unavailable if there is not enough memory for three pictures with all layers, as used in verification, and one
+// with bytes only, as used in timing.
+void check_memory(const Scene& scene)
+{
+    const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+    const std::uint64_t needed =
+        pixels * (3 * Image::bytes_per_pixel(Image::Layers::all) + Image::bytes_per_pixel(Image::Layers::bytes));
+    const std::string lack = memory_shortage(fmt::format("{} x {} pixels", scene.width, scene.height), needed);
+    if (!lack.empty()) throw Unavailable(lack);
+}
+
+void describe(Row& row, const RenderStats& report)
+{
+    row.threads = report.threads;
+    row.simd_width = report.simd_width;
+    row.instruction_set = report.instruction_set;
+    row.context = report.timings.context;
+    row.build = report.timings.build;
+    row.step_factor = report.step_factor;
+    row.unsettled = report.unsettled;
+    row.work = report.work;
+}
+
+// Calls `draw`, which renders the first picture. If it throws, the message is kept as the reason why the configuration
+// has no speed.
+template <class Draw>
+std::optional<TimedCase> prepared(Case& one, const Draw& draw)
+{
+    Row& row = one.row;
+    TimedCase live;
+    live.one = &one;
+    try {
+        check_memory(one.scene);
+        draw(live);
+        describe(row, live.first);
+    } catch (const Unavailable& error) {
+        row.unavailable = error.what();
+    } catch (const InputError& error) {
+        // An option is not supported, for example a pack width on this machine.
+        row.unavailable = error.what();
+    } catch (const Error& error) {
+        row.failure = error.what();
+    }
+    if (!row.verification.passed || !row.unavailable.empty()) return std::nullopt;
+    live.expected = live.first.timings.kernel;
+    return live;
+}
 
 }  // namespace
 
@@ -64,7 +114,7 @@ const ExpectedPicture& ExpectedPictures::for_case(const Case& one)
     if (kept.of && same(*kept.of, one)) return kept;
     const Source source = source_for(one);
     if (source.backend->unavailable()) {
-        throw Unavailable(fmt::format("nothing to compare with: backend {} is not here", source.backend->name()));
+        throw Unavailable(fmt::format("nothing to compare with: backend {} is unavailable", source.backend->name()));
     }
     kept = {};
     Image image(one.scene.width, one.scene.height, Image::Layers::all);
@@ -105,11 +155,55 @@ void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expe
     }
 }
 
-std::uint64_t fingerprint(const Image& image)
+std::uint64_t fingerprint(const Image& image) { return fnv1a(image.bytes().data(), image.bytes().size()); }
+
+std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, const KeepPicture& keep)
 {
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const std::uint8_t byte : image.bytes()) hash = (hash ^ byte) * 0x100000001b3;
-    return hash;
+    Image own;
+    const Image* image = nullptr;
+    std::optional<TimedCase> ready = prepared(one, [&](TimedCase& live) {
+        Row& row = one.row;
+        const auto& expected = pictures.for_case(one);
+        live.renderer = one.backend->create(one.options);
+        if (pictures.renders_expected(one)) {
+            live.first = expected.stats;
+            row.verification.drawn = row.verification.passed = row.verification.is_expected = true;
+            row.verification.text = row.verification.level = "expected picture";
+            image = &expected.image;
+        } else {
+            own = Image(one.scene.width, one.scene.height, Image::Layers::all);
+            live.first = live.renderer->render(one.scene, own);
+            verify(row, one.backend->info().role, own, expected);
+            image = &own;
+        }
+        live.fingerprint = fingerprint(*image);
+    });
+    if (image != nullptr && keep) keep(one.row, *image);
+    return ready;
+}
+
+std::vector<TimedCase> verified_cases(std::vector<Case>& cases, const Registry& registry, const Phase& phase,
+                                      const KeepPicture& keep)
+{
+    ExpectedPictures pictures(registry);
+    std::vector<TimedCase> live;
+    const std::vector<Case*> order = pictures.grouped(cases);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        phase({"verification", static_cast<double>(i) / static_cast<double>(order.size())});
+        if (auto row = verified_case(*order[i], pictures, keep)) live.push_back(std::move(*row));
+    }
+    return live;
+}
+
+std::optional<TimedCase> unverified_case(Case& one)
+{
+    return prepared(one, [&](TimedCase& live) {
+        live.renderer = one.backend->create(one.options);
+        Image image(one.scene.width, one.scene.height, Image::Layers::bytes);
+        live.first = live.renderer->render(one.scene, image);
+        live.fingerprint = fingerprint(image);
+        one.row.verification.passed = true;
+    });
 }
 
 }  // namespace mandelmarch::bench

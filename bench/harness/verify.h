@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verification before timing: compares the picture of a configuration with the expected one.
+// Prepares configurations for timing: compares the picture of each with the expected one.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "bench/study/cases.h"
+#include "bench/harness/runner.h"
 #include "core/image/image.h"
 
 namespace mandelmarch::bench {
 
-// An expected picture, and a case that must render it.
+// An expected picture, and a configuration that has to render it.
 struct ExpectedPicture {
     std::optional<Case> of;
     std::string name;  // for messages
@@ -22,9 +23,9 @@ struct ExpectedPicture {
 // Renders the expected pictures. Keeps the last one for exact mode and the last one for fast mode.
 // The picture of a configuration is compared with
 //   in exact mode: the scalar kernel's on the host (--simd-width 1), in the same precision. The bits must be the same.
-//   in fast mode: the reference's canonical picture in double. If the reference would take minutes (more than a million
-//     pixels) or does not support the scene, with the scalar kernel's fast picture in double. At most 2 % of the pixels
-//     may differ visibly.
+//   in fast mode: the reference's canonical picture in double; or the scalar kernel's fast picture in double, if the
+//     reference would take minutes (more than a million pixels) or does not support the scene. At most 2 % of the
+//     pixels may differ visibly.
 //   for the reference itself in exact mode: the scalar kernel's, in double. At most 2 % may differ visibly.
 class ExpectedPictures {
 public:
@@ -33,7 +34,8 @@ public:
     // Throws Unavailable if this build has no suitable backend to compare with.
     const ExpectedPicture& for_case(const Case& one);
 
-    // Returns true if the configuration renders the expected picture itself, so that there is nothing to compare with.
+    // Returns true if the configuration itself renders the expected picture of fast mode, so that there is nothing to
+    // compare with. In exact mode the scalar kernel is compared with a second picture of its own.
     bool renders_expected(const Case& one) const;
 
     // Returns true if both configurations have the same expected picture.
@@ -59,6 +61,21 @@ private:
 // Compares a picture, rendered by a backend with this role, with the expected one. Sets row.verification and, if the
 // picture is wrong, row.failure.
 void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expected);
+
+// Receives a configuration's picture, right or wrong, after its verification.
+using KeepPicture = std::function<void(const Row&, const Image&)>;
+
+// Renders the configuration's picture once and verifies it. Returns nullopt if the configuration cannot be timed;
+// one.row then holds the reason.
+std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, const KeepPicture& keep = {});
+
+// Calls verified_case() for all configurations, and returns those that can be timed.
+std::vector<TimedCase> verified_cases(std::vector<Case>& cases, const Registry& registry, const Phase& phase,
+                                      const KeepPicture& keep = {});
+
+// Renders the configuration's picture once without verifying it, for later runs of a program whose first run has
+// verified it. The caller must compare the fingerprints. Returns nullopt as verified_case() does.
+std::optional<TimedCase> unverified_case(Case& one);
 
 // Returns a hash of the picture's bytes (FNV-1a, 64 bits).
 std::uint64_t fingerprint(const Image& image);

@@ -36,7 +36,7 @@ std::string lack_of(const Row& row, bool by_run)
     if (!row.unavailable.empty()) return "unavailable: " + row.unavailable;
     if (!row.failure.empty()) return row.failure;
     if (row.samples.empty()) return "it was not timed";
-    if (!row.timed()) return "its picture was not proven";
+    if (!row.timed()) return "its picture was not verified";
     if (!std::ranges::all_of(kernel_times(row), [](double seconds) { return seconds > 0; })) {
         return "a time is not above 0";
     }
@@ -47,7 +47,7 @@ std::string lack_of(const Row& row, bool by_run)
     return {};
 }
 
-// Compares a configuration of two results. If it can be tested, its verdict is `undecided` until judge_all() sets it.
+// Compares a configuration of two results. If it can be tested, its verdict is `undecided` until judge() sets it.
 Judged compared(const Row& old_row, const Row& new_row, bool by_run)
 {
     Judged c{.name = new_row.name()};
@@ -76,7 +76,7 @@ Judged compared(const Row& old_row, const Row& new_row, bool by_run)
     c.old_units = static_cast<int>(old_units.size());
     c.new_units = static_cast<int>(new_units.size());
     c.difference = difference(old_units, new_units, margin);
-    c.verdict = Verdict::undecided;  // until judged
+    c.verdict = Verdict::undecided;
     return c;
 }
 

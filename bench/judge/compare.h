@@ -25,8 +25,8 @@ struct ComparedResults {
 //
 // If only the old result has a comparable speed for a configuration, the configuration is
 //   wrong, if its picture is wrong or it failed in the new result;
-//   missing, if the new result does not have it or could not measure it, or if it has another setting there, too few
-//     samples or a time that is not above 0.
+//   missing, if the new result does not have it, could not measure it, or has it with another setting, too few samples
+//     or a time that is not above 0.
 // If only the new result has a speed for it, the configuration is new.
 //
 // Throws InputError if the results have no configuration in common.

@@ -67,9 +67,9 @@ std::vector<Portability> portability(std::span<const Result> given);
 nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities);
 
 // Returns the columns problem, application, platform and fom (pixels per second of kernel time, higher is better), as
-// read by p3-analysis-library, and h, the application's H, separated by "; ". There is one line for each application
-// and each platform it runs on. The library takes a missing line to mean that the platform is unsupported, even if h
-// does not contain it.
+// read by p3-analysis-library, and h: the platforms in the application's platform set H, separated by "; ". There is
+// one line for each application and each platform it runs on. The library takes a missing line to mean that the
+// application does not run on the platform, even if the platform is not in h.
 std::string to_csv(const std::vector<Portability>& portabilities);
 
 // Returns the table of `bench portability`.

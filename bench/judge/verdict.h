@@ -31,7 +31,7 @@ std::string_view name_of(Verdict verdict);
 struct Judged {
     std::string name;
     Verdict verdict = Verdict::not_compared;
-    std::string why{};        // why nothing was tested; empty if it was
+    std::string why{};        // why the ratio was not tested; empty if it was
     Difference difference{};  // the test of the times' ratio, new / old
     double p = 1;             // after Holm's correction
     // Numbers of compared medians: one for each run, or one for each group of samples if there is one run only.

@@ -13,8 +13,9 @@ namespace mandelmarch::bench {
 // The timed configurations of one fractal in one precision and mode.
 struct Contest {
     const Row* fastest = nullptr;  // by the median kernel time
-    // All other configurations, fastest first: their kernel times / the fastest's. Verdicts are slower, same or
-    // undecided; no_speed, with the ratio only, unless both have two runs in common, or six rounds of a single run.
+    // All other configurations, fastest first; each ratio is a kernel time / the fastest's. Verdicts are slower, same
+    // or undecided. The verdict is no_speed, with the ratio only, if a configuration and the fastest have neither two
+    // runs in common nor, with only one run in common, six rounds of it.
     std::vector<Judged> rivals;
 };
 

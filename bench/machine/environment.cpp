@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -16,6 +15,7 @@
 #include "bench/machine/build_info.h"
 #include "core/base/cores.h"
 #include "core/base/cpu.h"
+#include "core/base/environment.h"
 #include "core/base/files.h"
 #include "core/base/memory.h"
 #include "core/base/version.h"
@@ -141,18 +141,6 @@ Json backends(const Registry& registry)
     return found;
 }
 
-// Returns those environment variables that are set and change how backends run.
-Json variables(const Registry& registry)
-{
-    Json set = Json::object();
-    for (const auto& backend : registry.backends()) {
-        for (const std::string_view name : backend->info().variables) {
-            if (const char* value = std::getenv(std::string(name).c_str())) set[std::string(name)] = value;
-        }
-    }
-    return set;
-}
-
 }  // namespace
 
 Json environment(const Registry& registry)
@@ -175,7 +163,7 @@ Json environment(const Registry& registry)
           {"architecture", system.machine}}},
         {"backends", backends(registry)},
         {"icds", icds(registry)},
-        {"variables", variables(registry)}};
+        {"variables", recorded_variables()}};
 }
 
 }  // namespace mandelmarch::bench

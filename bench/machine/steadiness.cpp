@@ -92,7 +92,7 @@ double process_tree_seconds()
     return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-// Returns a warning of configurations whose samples spread; empty if there are none.
+// Returns a warning about configurations whose samples spread; empty if there are none.
 std::string spread_of(const Result& result)
 {
     int count = 0;
@@ -178,7 +178,8 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
             fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));
     }
     if (const double others = now["others_share"]; others > much_other) {
-        found.push_back(fmt::format("load: other processes took {:.0f} % of the processors meanwhile", 100 * others));
+        found.push_back(
+            fmt::format("load: other processes took {:.0f} % of the processors during the measurement", 100 * others));
     }
     if (const double stolen = now["stolen_share"]; stolen > much_stolen) {
         found.push_back(fmt::format("load: the hypervisor took {:.0f} % of the processors away", 100 * stolen));
@@ -187,15 +188,16 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
         found.push_back(fmt::format("quota: the program was stopped in {} of {} periods", throttled,
                                     now["quota_periods"].get<std::uint64_t>()));
     } else if (mine.quota && *mine.quota < mine.given) {
-        found.push_back(fmt::format("quota: {:.2g} cores' time for {} cores", *mine.quota, mine.given));
+        found.push_back(
+            fmt::format("quota: {:.2g} cores' processor time is allowed on {} cores", *mine.quota, mine.given));
     }
     if (const std::string bound = binding(); !bound.empty()) {
-        found.push_back(fmt::format(
-            "binding: {} keeps OpenMP's threads on their cores, those of other backends run on all {} given", bound,
-            mine.given));
+        found.push_back(
+            fmt::format("binding: {} binds OpenMP's threads to cores; other backends' threads may run on all {} cores",
+                        bound, mine.given));
     }
     if (const std::string unlike = unlike_threads(result); !unlike.empty()) {
-        found.push_back(fmt::format("threads: the CPU's rows were drawn by unlike numbers of them: {}", unlike));
+        found.push_back(fmt::format("threads: the CPU backends used different numbers of threads: {}", unlike));
     }
     const double before = start_.frequency;
     const double after = now["megahertz_at_end"];

@@ -33,7 +33,7 @@ private:
         double frequency = 0;   // of the fastest core, MHz; 0: unknown
         double stolen = 0;      // seconds since boot that a hypervisor took from all processors together
         double processors = 0;  // seconds of all processors since boot
-        double others = 0;      // seconds thereof used by other processes
+        double others = 0;      // seconds of these that other processes used
         Throttling throttling;  // by a quota of control groups
     };
     static Snapshot look();

@@ -51,7 +51,7 @@ struct GpuState {
     std::optional<double> joules;               // since the driver was loaded
     std::optional<double> watts, celsius;       // now
     std::optional<double> sm, most_sm, memory;  // clock frequencies, MHz: multiprocessors, their maximum, memory
-    std::optional<std::string> throttled;       // reason for a reduced clock frequency; "none" if not reduced
+    std::optional<std::string> throttled;       // reason for a reduced clock frequency, "idle" or "none"
 };
 
 struct GpuStates {
@@ -141,8 +141,8 @@ GpuStates gpu_states(const std::string& library)
     return found;
 }
 
-// Opens a counter of this event for a thread, in user space, which includes threads and processes that the thread
-// starts from now on. Returns its descriptor, or a value below 0 on failure.
+// Opens a counter of this event, in user space, for a thread and for all threads and processes that it starts from now
+// on. Returns the counter's descriptor, or a value below 0 on failure.
 int open_counter(std::uint64_t event, int thread)
 {
     perf_event_attr attributes{};
@@ -238,7 +238,7 @@ Json Telemetry::counters() const
                 std::uint64_t value, enabled, running;
             } told{};
             if (read(descriptor.number(), &told, sizeof(told)) != sizeof(told) || told.running == 0) continue;
-            // With more events than counters, each event counts only a fraction of the time.
+            // With more events than counters, each event is counted during a fraction of the time only: scale up.
             sum +=
                 static_cast<double>(told.value) * static_cast<double>(told.enabled) / static_cast<double>(told.running);
             counted = true;

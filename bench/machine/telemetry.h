@@ -23,13 +23,13 @@ class Telemetry {
 public:
     explicit Telemetry(TelemetrySources sources = {});
 
-    // {"energy", "counters", "gpus"}, each {"missing": why} or
+    // Returns {"energy", "counters", "gpus"}; each is {"missing": why} or
     //   energy: {"seconds", "domains": [{"name", "joules"}]}, from RAPL, for all processors of the machine
     //   counters: {"cycles", "instructions", ...}, from perf, for the threads of this process and all that they start;
     //     each may be null
     //   gpus: [{"name", "joules", "watts", "celsius", "sm_megahertz", "most_sm_megahertz", "memory_megahertz",
-    //     "throttled"}], from NVML, for the whole GPU; joules since construction, all others now; null if unknown.
-    //     throttled: reason for a reduced clock frequency, "none" if not reduced.
+    //     "throttled"}], from NVML, for the whole GPU. joules: since construction; all other values are current; null
+    //     if unknown. throttled: reason for a reduced clock frequency, "idle" or "none".
     nlohmann::ordered_json since_start() const;
 
 private:

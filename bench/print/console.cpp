@@ -160,7 +160,7 @@ std::string cells(const std::optional<Quotient>& quotient)
     if (!quotient) return fmt::format("{:>8} {:<19}", "-", "");
     return fmt::format("{:>8} {:<19}", digits(quotient->ratio),
                        quotient->interval       ? interval_text(*quotient->interval)
-                       : quotient->ratio == 1.0 ? "beside itself"
+                       : quotient->ratio == 1.0 ? "its own baseline"
                                                 : "too few samples");
 }
 
@@ -178,8 +178,9 @@ std::string speed_ups(const Result& result)
     }
     if (text.empty()) return {};
     return fmt::format(
-        "\nSpeed-up of wall time: over reference (serial, double, exact), and over the same text as scalar C++ on the "
-        "host's\nthreads, in the row's precision and mode; each interval by itself\n{:<40} {:>8} {:<19} {:>8} "
+        "\nSpeed-up of wall time: over reference (serial, double, exact), and over the kernel as scalar C++ on the "
+        "host's\nthreads, in the row's precision and mode; intervals not corrected for their number\n{:<40} {:>8} "
+        "{:<19} {:>8} "
         "{:<19}\n{}",
         "", "serial", "95 % interval", "scalar", "95 % interval", text);
 }
@@ -188,7 +189,7 @@ std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, 
 {
     if (ratios.empty()) return {};
     constexpr const char* line = "{:<9} {:<5} {:<13} {:>3} {:>7} {:<18} {:>5}{}\n";
-    std::string text = fmt::format("\n{}; each interval by itself\n", title);
+    std::string text = fmt::format("\n{}; intervals not corrected for their number\n", title);
     text += fmt::format(fmt::runtime(line), fractal ? "scene" : "precision", "mode", "backend", "dev", "ratio",
                         "95 % interval", "pairs", "");
     for (const Ratio& ratio : ratios) {
@@ -215,16 +216,16 @@ std::string to_console(const Result& result, bool wide)
     text += fmt::format("\n{}", devices(result));
     if (any != nullptr && result.study == standard_study) {
         text += fmt::format(
-            "{} x {} pixels; kernel and wall: medians in ms; speed-up: over reference; {}-scalar: the text "
+            "{} x {} pixels; kernel and wall: medians in ms; speed-up: over reference; {}-scalar: the kernel "
             "as scalar C++\n",
             any->setting.width, any->setting.height, result.host());
     }
     text += incomplete_parts(result);
     text += speed_ups(result);
     text += ratio_table(result, result.questions.box_to_bulb,
-                        "Mandelbox against Mandelbulb: kernel time of the one over the other's", false);
-    text += ratio_table(result, result.questions.double_to_float,
-                        "Double against float: kernel time of the one over the other's", true);
+                        "Mandelbox against Mandelbulb: ratio of their kernel times", false);
+    text += ratio_table(result, result.questions.double_to_float, "Double against float: ratio of their kernel times",
+                        true);
     text += study_tables(result);
     for (const std::string& warning : result.warnings)
         text += fmt::format("\n{}", clipped(fmt::format("warning: {}", warning), console_columns));

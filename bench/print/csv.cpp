@@ -29,7 +29,7 @@ void add(Cells& cells, const std::optional<Interval>& interval)
     cells.push_back(interval ? fmt::format("{}", interval->high) : "");
 }
 
-// A picture that was not drawn has no verification, and a configuration without a speed no times.
+// Returns false for the verification of a picture that was not rendered: its cells are empty.
 bool has_cells(const Verification& verification) { return verification.drawn; }
 bool has_cells(const auto& /*record*/) { return true; }
 

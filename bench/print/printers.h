@@ -13,7 +13,7 @@ namespace mandelmarch::bench {
 // columns, in lines of any length.
 std::string to_console(const Result& result, bool wide);
 
-// Returns the tables of the studies profile and box-vs-bulb; empty for other studies.
+// Returns the tables of the studies profile, box-vs-bulb and ladder; empty for other studies.
 std::string study_tables(const Result& result);
 
 // Returns one line per configuration. The first columns are problem, application, platform and fom (pixels per second

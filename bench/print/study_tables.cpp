@@ -53,8 +53,9 @@ std::string errors_of(const Result& result)
 std::string counts_table(const Result& result)
 {
     std::string text = fmt::format(
-        "\nWork of the text, counted\n{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "fractal",
-        "precision", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active", "active");
+        "\nWork of the kernel, counted\n{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n",
+        "fractal", "precision", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active",
+        "active");
     text += fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
                         "per pix", "call", "iter", "per iter", "pixel", "steps", "iters");
     for (const Counted& c : result.counts) {
@@ -73,8 +74,8 @@ std::string counts_table(const Result& result)
                         100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);
     }
     return text + fmt::format(
-                      "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients with "
-                      "roots; active: lanes\nthat do something, in packs of {} pixels\n",
+                      "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients "
+                      "include\nroots; active: lanes that do something, in packs of {} pixels\n",
                       result.counts.empty() ? 0 : result.counts.front().lane_use.front().lanes);
 }
 
@@ -130,12 +131,43 @@ std::string stages_table(const Result& result)
     return text;
 }
 
+// Returns the ladder of each fractal: what each rung gains over the one before, and the last over the first.
+std::string ladder_table(const Result& result)
+{
+    constexpr const char* line = "{:<11} {:<16} {:>9} {:>8} {:<16}\n";
+    const auto gain = [](const Ratio& ratio) {  // of kernel times, earlier / later
+        return digits(1 / ratio.ratio.median);
+    };
+    const auto interval = [](const Ratio& ratio) {
+        const auto& of = ratio.ratio.interval;
+        return of ? interval_text({1 / of->high, 1 / of->low}) : fmt::format("n = {}", ratio.ratio.count);
+    };
+    std::string text = "\nThe ladder: each rung changes one thing, and gains a factor of kernel time\n";
+    text += fmt::format(fmt::runtime(line), "fractal", "rung", "ms", "gain", "95 % interval");
+    for (const Row& row : result.rows) {
+        if (!row.timed()) continue;
+        const auto is_of_row = [&](const Ratio& ratio) {
+            return ratio.numerator == row.name() && ratio.ratio.count > 0;
+        };
+        const auto step = std::ranges::find_if(result.questions.to_previous_value, is_of_row);
+        const bool compared = step != result.questions.to_previous_value.end();
+        text += fmt::format(fmt::runtime(line), row.fractal, row.sweep_value, digits(1e3 * row.figures->kernel.median),
+                            compared ? gain(*step) : "", compared ? interval(*step) : "");
+        const auto whole = std::ranges::find_if(result.questions.to_first_value, is_of_row);
+        const bool last = &row == &result.rows.back() || (&row + 1)->fractal != row.fractal;
+        if (!last || whole == result.questions.to_first_value.end()) continue;
+        text += fmt::format(fmt::runtime(line), row.fractal, "all together", "", gain(*whole), interval(*whole));
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string study_tables(const Result& result)
 {
     std::string text;
     if (result.study == "box-vs-bulb") text += counts_table(result) + lanes_table(result) + errors_of(result);
+    if (result.study == ladder_study) text += ladder_table(result);
     if (!result.stages.empty()) text += stages_table(result);
     return text;
 }

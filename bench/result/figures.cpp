@@ -62,10 +62,10 @@ std::string_view swept(const Row& row)
     return std::string_view(row.sweep_value).substr(0, row.sweep_value.find('='));
 }
 
-bool same_sweep(const Row& a, const Row& b)
+bool same_sweep(const Result& result, const Row& a, const Row& b)
 {
-    return same_device(a, b) && a.fractal == b.fractal && a.precision == b.precision && a.mode == b.mode &&
-           !a.sweep_value.empty() && swept(a) == swept(b);
+    if (a.fractal != b.fractal || a.sweep_value.empty() || swept(a) != swept(b)) return false;
+    return result.study == ladder_study || (same_device(a, b) && a.precision == b.precision && a.mode == b.mode);
 }
 
 bool same_shape(const Row& a, const Row& b)
@@ -190,7 +190,7 @@ std::vector<Ratio> to_first_value(const Result& result)
     std::vector<Ratio> found;
     for (const Row& row : result.rows) {
         const Row& first =
-            *std::ranges::find_if(result.rows, [&](const Row& r) { return &r == &row || same_sweep(r, row); });
+            *std::ranges::find_if(result.rows, [&](const Row& r) { return &r == &row || same_sweep(result, r, row); });
         if (&first != &row && first.timed() && row.timed()) found.push_back(ratio_of(row, first));
     }
     return found;
@@ -203,7 +203,7 @@ std::vector<Ratio> to_previous_value(const Result& result)
         const Row* previous = nullptr;
         for (const Row& other : result.rows) {
             if (&other == &row) break;
-            if (other.timed() && same_sweep(other, row) && same_shape(other, row)) previous = &other;
+            if (other.timed() && same_sweep(result, other, row) && same_shape(other, row)) previous = &other;
         }
         if (previous != nullptr && row.timed()) found.push_back(ratio_of(row, *previous));
     }
@@ -214,8 +214,9 @@ std::vector<Ratio> to_previous_value(const Result& result)
 
 Result derived(Result result)
 {
+    const bool baselines = result.study == standard_study || result.study == demo_study;
     for (Row& row : result.rows) {
-        const bool scalar = result.study == standard_study && is_scalar(result, row);
+        const bool scalar = baselines && is_scalar(result, row);
         row.application = row.backend + (scalar ? "-scalar" : "");
         row.figures = row.timed() ? std::optional(figures_of(result, row)) : std::nullopt;
     }

@@ -17,6 +17,9 @@ inline constexpr const char* result_schema = "mandelmarch-bench";
 inline constexpr int schema_version = 2;
 // The study that compares backends and includes the baselines.
 inline constexpr std::string_view standard_study = "standard";
+inline constexpr std::string_view demo_study = "demo";  // a short one, with the same baselines
+// Each configuration of a fractal differs from the one before in one thing, and is compared with it.
+inline constexpr std::string_view ladder_study = "ladder";
 
 // Times of one picture in the timed rounds, in seconds.
 struct Sample {
@@ -24,7 +27,7 @@ struct Sample {
     int round = 0;                                          // index within that run
     double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
     double host = 0;
-    double processor = 0;  // of all threads of the rendering process; for duels, not stored
+    double processor = 0;  // of all threads of the rendering process; only for duels, not stored in results
 };
 
 // The scene of a picture, and its size.
@@ -106,8 +109,8 @@ struct Row {
     // Standard error of `operations`, which are counted on a sample of the pixels; unknown in results of older builds.
     std::optional<double> operations_error;
     std::vector<Sample> samples;
-    // Set by derived(). The name under which a configuration is compared is the name of its backend. The standard
-    // study contains both the packs of openmp and its scalar kernel; there the scalar kernel is called "openmp-scalar".
+    // Set by derived(). The name under which a configuration is compared: the name of its backend. The studies standard
+    // and demo contain both the packs of openmp and its scalar kernel, which is called "openmp-scalar" there.
     std::string application;
     std::optional<Figures> figures;  // nullopt without a speed
 
@@ -164,8 +167,8 @@ struct Questions {
     std::vector<Ratio> box_to_bulb;        // Mandelbox / Mandelbulb, on the same device
     std::vector<Ratio> double_to_float;    // on the same device
     std::vector<Ratio> others_to_host;     // each other backend / the host's; the reference is left out
-    std::vector<Ratio> to_first_value;     // sweeps: each later value / the first value
-    std::vector<Ratio> to_previous_value;  // sweeps: each later value / the last one before it with its aspect ratio
+    std::vector<Ratio> to_first_value;     // sweeps and the ladder: each later value / the first value
+    std::vector<Ratio> to_previous_value;  // same studies: each value / the last before it with its aspect ratio
 };
 
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON does not throw, which the check cannot see

@@ -9,7 +9,6 @@
 #include <span>
 
 #include "bench/machine/environment.h"
-#include "bench/study/cases.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/extreme_scene.h"
@@ -48,7 +47,8 @@ std::string difference(const Drawn& expected, const Drawn& got)
     const std::string right = counts(expected.work);
     const std::string work = counts(got.work);
     if (work == right) return {};
-    return fmt::format("the same picture by other work: {} steps/estimates/iterations, expected {}", work, right);
+    return fmt::format("the same picture, but other work counts: {} steps/estimates/iterations, expected {}", work,
+                       right);
 }
 
 // A tested configuration with its renderer, which is reused from scene to scene and created again after an error.

@@ -26,17 +26,18 @@ struct Tested {
     int pictures = 0;       // drawn
     int unavailable = 0;    // scenes that the configuration does not support
     int wrong = 0;          // pictures whose bits or work counts differ, or that failed with an error
-    std::string refusal{};  // why the first of these scenes is not supported
+    std::string refusal{};  // why the first unsupported scene is not supported
 
     std::string name() const;  // "vulkan, device 0, in float"
 };
 
-// A picture that differs from that of the scalar kernel (--simd-width 1), or that could not be rendered.
+// A picture whose bits or work counts differ from those of the scalar kernel (--simd-width 1), or that could not be
+// rendered.
 struct Discrepancy {
     std::string scene;       // "box-1-17": fractal, seed, index
     std::string parameters;  // contents of its parameter file
     std::string subject;     // Tested::name()
-    std::string what;        // the first differing pixel with both values, or the error
+    std::string what;        // the first differing pixel with both values, the work counts, or the error
 };
 
 struct EquivalenceResult {
@@ -51,8 +52,8 @@ struct EquivalenceResult {
 
 // Renders each scene in both precisions with the scalar kernel and with every tested configuration. Scenes that would
 // be too much work are rendered smaller. Calls `found` with each discrepancy as soon as it is found, and `progress`
-// with the completed fraction. If no selected backend can be
-// tested, throws Error if one of them failed, else Unavailable.
+// with the completed fraction. If no selected backend can be tested, throws Error if one of them failed, else
+// Unavailable.
 EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOptions& options,
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress);

@@ -29,8 +29,10 @@ struct RandomRow {
     int number = 0;  // index of the scene in its set
     Scene scene;
     Precision precision = Precision::f64;
-    Comparison off;        // difference from the canonical picture
-    double exact_off = 0;  // fraction of pixels in which exact mode differs visibly from exact mode in double
+    Comparison off;  // difference from the canonical picture
+    // Only of a picture in float with more than most_off visibly differing pixels: the fraction of pixels in which its
+    // exact picture in float differs visibly from that in double. Else 0.
+    double exact_off = 0;
 };
 
 // Sum over the scenes of one set, or of all sets, of one fractal in one precision. Fractions are of pixels.
@@ -70,9 +72,9 @@ struct RandomResult {
 };
 
 // Renders the scenes of every set at 61 x 45 pixels: the canonical picture, and the backend's picture in fast mode.
-// Canonical pictures are rendered by reference or, if reference does not support the fractal, by openmp with all
-// optimisations disabled. Calls `progress` with the completed fraction. Throws InputError for an unknown backend,
-// Unavailable if it has no device.
+// Canonical pictures are rendered by reference or, if reference does not support the fractal, by openmp's scalar kernel
+// without the optimisations of the march. Calls `progress` with the completed fraction. Throws InputError for an
+// unknown backend, Unavailable if it has no device.
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress);
 

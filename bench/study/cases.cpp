@@ -4,63 +4,108 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <regex>
 #include <tuple>
 
 #include "bench/study/views.h"
-#include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
-#include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {
 namespace {
 
-// Returns the sweep values of the study. In the standard study, the backend with the role host also gets the scalar
-// kernel as a baseline: a speed-up over it cannot come from another program or from more threads.
-std::vector<Point> points_of(const Options& options, const Study& study, const Fractal& fractal,
-                             const BackendInfo& info)
+// Returns an axis over the elements of a list. It adds nothing to the sweep value.
+template <class List, class Set>
+Axis over(const List& list, Set set)
 {
-    if (study.points) return study.points(fractal);
-    std::vector<Point> points{{"", [](Setting&) {}}};
-    if (options.baselines && study.name == standard_study && info.role == Role::host && info.simd_width) {
-        points.push_back({"1", [](Setting& setting) { setting.simd_width = 1; }});
+    std::vector<Point> points;
+    for (const auto& element : list) points.push_back({"", [element, set](Case& one) { set(one, element); }});
+    return {"", [points](const Case&) { return points; }};
+}
+
+// Returns the product of the axes; the last one varies fastest.
+std::vector<Case> crossed(const std::vector<Axis>& axes)
+{
+    std::vector<Case> cases(1);
+    for (const Axis& axis : axes) {
+        std::vector<Case> product;
+        for (const Case& so_far : cases) {
+            for (const Point& point : axis.points(so_far)) {
+                Case& one = product.emplace_back(so_far);
+                point.set(one);
+                if (point.value.empty()) continue;
+                std::string& text = one.row.sweep_value;
+                text += fmt::format("{}{}={}", text.empty() ? "" : ",", axis.name, point.value);
+            }
+        }
+        cases = std::move(product);
+    }
+    return cases;
+}
+
+// The host also gets the scalar kernel as a baseline: a speed-up over it cannot come from another program or from more
+// threads.
+std::vector<Point> kernels(const Case& one)
+{
+    std::vector<Point> points{{"", [](Case&) {}}};
+    const BackendInfo info = one.backend->info();
+    if (info.role == Role::host && info.simd_width) {
+        points.push_back({"1", [](Case& scalar) { scalar.row.setting.simd_width = 1; }});
     }
     return points;
 }
 
-// Returns true for the baselines of the standard study, which are measured even if --backend does not name them.
-bool is_baseline(const BackendInfo& info, const Setting& setting, Precision precision, Mode mode)
+// Returns true for the baselines, which are measured even if --backend does not name them.
+bool is_baseline(const Case& one)
 {
-    if (info.role == Role::reference) return precision == Precision::f64 && mode == Mode::exact;
-    return info.role == Role::host && setting.simd_width == 1;
+    const Row& row = one.row;
+    const Role role = one.backend->info().role;
+    if (role == Role::reference) return row.precision == Precision::f64 && row.mode == Mode::exact;
+    return role == Role::host && row.setting.simd_width == 1;
 }
 
-Case case_of(const Fractal& fractal, const Study& study, const Point& point, std::pair<int, int> size)
+void set_device(Case& one, int index, const Device& device)
 {
-    Case made;
-    Setting& setting = made.row.setting;
-    point.set(setting);
-    for (const View& view : views_of(fractal.short_name, size.first, size.second)) {
-        if (view.name == setting.view) made.scene = view.scene;
+    Row& row = one.row;
+    row.device = index;
+    row.device_name = device.name;
+    row.vendor = device.vendor;
+    row.driver = device.driver;
+    row.is_gpu = device.is_gpu;
+    row.platform = platform_of(device);
+}
+
+// Sets the scene and the options that the row describes, and the values of the setting that follow from the scene.
+void realise(Case& one, std::pair<int, int> size)
+{
+    Row& row = one.row;
+    Setting& setting = row.setting;
+    for (const View& view : views_of(one.scene.fractal->short_name, size.first, size.second)) {
+        if (view.name == setting.view) one.scene = view.scene;
     }
+    Scene& scene = one.scene;
     if (setting.width != 0) {
-        made.scene.width = setting.width;
-        made.scene.height = setting.height;
+        scene.width = setting.width;
+        scene.height = setting.height;
     }
-    if (setting.iterations != 0) made.scene.iterations = setting.iterations;
-    if (setting.detail != 0) made.scene.detail = setting.detail;
-    setting.width = made.scene.width;
-    setting.height = made.scene.height;
-    setting.iterations = made.scene.iterations;
-    setting.detail = made.scene.detail;
-    setting.power = made.scene.shape[2];
-    made.row.fractal = made.scene.fractal->name;
-    if (!point.value.empty()) {
-        made.row.sweep_value = fmt::format("{}={}", study.axis.empty() ? "simd-width" : study.axis, point.value);
-    }
-    return made;
+    if (setting.iterations != 0) scene.iterations = setting.iterations;
+    if (setting.detail != 0) scene.detail = setting.detail;
+    setting.width = scene.width;
+    setting.height = scene.height;
+    setting.iterations = scene.iterations;
+    setting.detail = scene.detail;
+    setting.power = scene.shape[2];
+    one.options = {.device = row.device,
+                   .precision = row.precision,
+                   .mode = row.mode,
+                   .threads = setting.threads,
+                   .simd_width = setting.simd_width,
+                   .chunk = setting.chunk,
+                   .band = setting.band,
+                   .block_size = setting.block_size,
+                   .counts = false,
+                   .techniques = techniques_without(setting.without)};
 }
 
 // Returns the only configuration of a backend without a device, with the reason.
@@ -74,13 +119,14 @@ Case missing(const Backend& backend, Listing listing)
     return made;
 }
 
-// Returns true if a filter in Google Benchmark's syntax selects the name.
-bool chosen(const std::string& filter, const std::string& name)
+// Returns a function that returns true for the names that the filter selects. The filter has Google Benchmark's syntax.
+std::function<bool(const std::string& name)> selection(const std::string& filter)
 {
-    if (filter.empty() || filter == "all") return true;
+    if (filter.empty() || filter == "all") return [](const std::string&) { return true; };
     const bool others = filter.front() == '-';
     try {
-        return std::regex_search(name, std::regex(others ? filter.substr(1) : filter, std::regex::extended)) != others;
+        const std::regex searched(others ? filter.substr(1) : filter, std::regex::extended);
+        return [=](const std::string& name) { return std::regex_search(name, searched) != others; };
     } catch (const std::regex_error&) {
         throw InputError(fmt::format("--filter: '{}' given, expected a regular expression", filter));
     }
@@ -92,62 +138,63 @@ std::string platform_of(const Device& device) { return device.is_gpu ? device.na
 
 std::vector<Case> cases_of(const Registry& registry, const Options& options)
 {
-    std::vector<Case> cases;
     const Study& study = *options.study;
+    const bool baselines = options.baselines && study.baselines;
+    const auto asked = [&](const Backend& backend) {
+        const bool unasked = options.backends.empty() && !options.baselines && backend.info().role == Role::reference;
+        return !unasked && options.selects(backend.name());
+    };
+    std::vector<const Backend*> backends;
+    std::map<const Backend*, std::vector<Device>> devices;
+    std::vector<Case> without_device;
     for (const auto& backend : registry.backends()) {
         const BackendInfo info = backend->info();
         // Include the baselines even if --backend does not name them, as speed-ups are computed from them.
-        const bool baselines = options.baselines && study.name == standard_study && info.role != Role::none &&
-                               info.role != Role::accelerator;
-        const bool unasked = options.backends.empty() && !options.baselines && info.role == Role::reference;
-        const bool asked = !unasked && options.selects(backend->name());
-        if ((!asked && !baselines) || !study.measures(info)) continue;
+        const bool baseline = baselines && (info.role == Role::reference || info.role == Role::host);
+        if ((!asked(*backend) && !baseline) || !study.measures(info)) continue;
         Listing listing = listing_of(*backend);
-        if (listing.devices.empty()) {
-            if (asked) cases.push_back(missing(*backend, std::move(listing)));
-            continue;
-        }
-        const std::vector<Device>& devices = listing.devices;
-        for (const Fractal* fractal : options.fractals) {
-            for (const Point& point : points_of(options, study, *fractal, info)) {
-                for (const Precision precision : options.precisions) {
-                    for (const Mode mode : options.selected_modes()) {
-                        for (int device = 0; device < static_cast<int>(devices.size()); ++device) {
-                            Case made = case_of(*fractal, study, point, options.picture_size());
-                            const Setting& setting = made.row.setting;
-                            if (!asked && !is_baseline(info, setting, precision, mode)) continue;
-                            made.options = {.device = device,
-                                            .precision = precision,
-                                            .mode = mode,
-                                            .threads = setting.threads,
-                                            .simd_width = setting.simd_width,
-                                            .chunk = setting.chunk,
-                                            .band = setting.band,
-                                            .block_size = setting.block_size,
-                                            .counts = false,
-                                            .techniques = techniques_without(setting.without)};
-                            made.backend = backend.get();
-                            const Device& described = devices[static_cast<std::size_t>(device)];
-                            made.row.precision = precision;
-                            made.row.mode = mode;
-                            made.row.backend = backend->name();
-                            made.row.device = device;
-                            made.row.device_name = described.name;
-                            made.row.vendor = described.vendor;
-                            made.row.driver = described.driver;
-                            made.row.is_gpu = described.is_gpu;
-                            made.row.platform = platform_of(described);
-                            if (chosen(options.filter, made.row.name())) cases.push_back(std::move(made));
-                        }
-                    }
-                }
-            }
+        if (!listing.devices.empty()) {
+            backends.push_back(backend.get());
+            devices[backend.get()] = std::move(listing.devices);
+        } else if (asked(*backend)) {
+            without_device.push_back(missing(*backend, std::move(listing)));
         }
     }
-    // Sort into the order of the table: all backends for one picture together, and unavailable backends at the end.
-    std::ranges::stable_sort(cases, {}, [](const Case& one) {
+    std::vector<Axis> axes{over(backends,
+                                [](Case& one, const Backend* backend) {
+                                    one.backend = backend;
+                                    one.row.backend = backend->name();
+                                }),
+                           over(options.fractals, [](Case& one, const Fractal* fractal) {
+                               one.scene.fractal = fractal;
+                               one.row.fractal = fractal->name;
+                           })};
+    axes.insert(axes.end(), study.axes.begin(), study.axes.end());
+    if (baselines) axes.push_back({"simd-width", kernels});
+    axes.push_back(over(options.precisions, [](Case& one, Precision precision) { one.row.precision = precision; }));
+    axes.push_back(over(options.selected_modes(), [](Case& one, Mode mode) { one.row.mode = mode; }));
+    axes.push_back({"", [&devices](const Case& one) {
+                        std::vector<Point> points;
+                        for (const Device& device : devices.at(one.backend)) {
+                            const int index = static_cast<int>(points.size());
+                            points.push_back({"", [=](Case& made) { set_device(made, index, device); }});
+                        }
+                        return points;
+                    }});
+    std::vector<Case> cases = crossed(axes);
+    const auto chosen = selection(options.filter);
+    std::erase_if(cases, [&](const Case& one) {
+        return !(asked(*one.backend) || is_baseline(one)) || !study.keeps(one) || !chosen(one.row.name());
+    });
+    for (Case& one : cases) realise(one, options.picture_size());
+    cases.insert(cases.end(), without_device.begin(), without_device.end());
+    // Sort into the order of the table: all backends for one picture together, or all rungs of a fractal's ladder, and
+    // unavailable backends at the end.
+    std::ranges::stable_sort(cases, {}, [&](const Case& one) {
         const auto fractal = one.backend == nullptr ? fractals().data() + fractals().size() : one.scene.fractal;
-        return std::tuple(fractal - fractals().data(), one.row.precision, one.row.mode);
+        const auto index = fractal - fractals().data();
+        if (study.name == ladder_study) return std::tuple(index, Precision{}, Mode{});
+        return std::tuple(index, one.row.precision, one.row.mode);
     });
     return cases;
 }

@@ -2,25 +2,14 @@
 // The configurations to measure.
 #pragma once
 
-#include <memory>
-#include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "bench/study/options.h"
 #include "bench/study/studies.h"
 #include "core/render/registry.h"
-#include "core/scene/scene.h"
 
 namespace mandelmarch::bench {
-
-// A configuration to measure, with the scene and options to render it.
-struct Case {
-    Row row;
-    Scene scene;
-    RendererOptions options;
-    const Backend* backend = nullptr;  // nullptr if the backend has no device
-};
 
 // Returns all configurations of the study that the options select. A backend without a device is one configuration,
 // which holds the reason. Throws InputError for an invalid filter.

@@ -8,7 +8,6 @@
 
 #include "cli/option_values.h"
 #include "core/base/error.h"
-#include "core/render/registry.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -26,15 +25,6 @@ std::string joined(const List& list, const Name& name, const char* between)
 std::string_view name_of_fractal(const Fractal* fractal) { return fractal->short_name; }
 
 }  // namespace
-
-std::vector<const Fractal*> default_fractals()
-{
-    std::vector<const Fractal*> studied;
-    for (const Fractal& fractal : fractals()) {
-        if (fractal.in_default_study) studied.push_back(&fractal);
-    }
-    return studied;
-}
 
 bool Options::selects(std::string_view backend) const
 {
@@ -88,7 +78,7 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
                options.modes = {Mode::exact, Mode::fast};
                if (text != "all") options.modes = {text == "fast" ? Mode::fast : Mode::exact};
            },
-           "mode to measure: all, exact or fast (default: all; in sweeps exact)")
+           "mode to measure: all, exact or fast (default: the study's own; standard: all)")
         ->check(CLI::IsMember({"all", "exact", "fast"}));
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { options.size = size_option(text); },
@@ -97,11 +87,12 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
            "what to vary: " + joined(studies(), &Study::name, ", "))
         ->default_str(std::string(options.study->name));
-    app.add_option("--filter,--benchmark_filter", options.filter,
-                   "regular expression: measure only rows whose name contains it; with - in front, all others");
+    app.add_option(
+        "--filter,--benchmark_filter", options.filter,
+        "regular expression: measure only configurations whose name contains it; with - in front, all others");
 }
 
-// Programs of older builds must understand these words.
+// Uses only options that older builds have, too.
 std::vector<std::string> words_of(const Options& o)
 {
     const auto all_or = [](bool all, const std::string& names) { return all ? "all" : names; };

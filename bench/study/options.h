@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options that choose what bench measures. Values are parsed once, by the options that add_selection() declares.
+// The options that choose what bench measures. The command-line options that add_selection() declares parse their
+// values once and store the results here.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,12 +11,10 @@
 #include <vector>
 
 #include "bench/study/studies.h"
+#include "bench/study/views.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::bench {
-
-// Returns the fractals that are studied by default.
-std::vector<const Fractal*> default_fractals();
 
 struct Options {
     const Study* study = &studies().front();
@@ -32,7 +31,7 @@ struct Options {
     std::uint64_t seed = 1;          // for the order of configurations in each round
     std::optional<double> budget;    // seconds for the timed rounds
     bool peaks = true;               // measure peaks before and after the rounds; needed for the share of peak
-    bool baselines = true;           // include the baselines of the standard study
+    bool baselines = true;           // include the baselines of the study, if it has some
 
     bool selects(std::string_view backend) const;
     const std::vector<Mode>& selected_modes() const { return modes.empty() ? study->modes : modes; }
@@ -42,7 +41,7 @@ struct Options {
 // Parses a list of backends, separated by commas; `all`: an empty list. Throws InputError for an unknown name.
 std::vector<std::string> parse_backends(const Registry& registry, std::string_view text);
 
-// Parses a fractal's name, or `all`, which gives `all`.
+// Parses a fractal's name. Returns that fractal, or `all` for the text "all".
 std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all);
 
 // Declares --backend, --fractal, --precision, --mode, --size, --study and --filter.

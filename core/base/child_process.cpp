@@ -38,7 +38,7 @@ void confine(pid_t parent)
 // Runs in the child, which may call async-signal-safe functions only. Returns if the program does not start.
 void become(const ChildSetup& setup, char* const* words)
 {
-    std::signal(SIGPIPE, SIG_DFL);  // ignored by this project's programs, and inherited
+    std::signal(SIGPIPE, SIG_DFL);  // this project's programs ignore it, and the child inherits that
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     const std::array from{setup.input < 0 ? nothing : setup.input, setup.output < 0 ? nothing : setup.output,
                           setup.errors < 0 ? STDERR_FILENO : setup.errors};
@@ -58,9 +58,9 @@ pid_t started(ChildSetup& setup)
     std::vector<char*> words;
     for (std::string& word : setup.words) words.push_back(word.data());
     words.push_back(nullptr);
-    auto [failed, fails] = make_pipe();  // closed by a successful exec
+    auto [failed, fails] = make_pipe();  // a successful exec closes `fails`
     const pid_t parent = getpid();
-    // posix_spawn shares this process's memory with the child, whose peak resident set would then include it.
+    // Not posix_spawn: its child shares this process's memory at first, and would count it in its peak resident set.
     const pid_t child = fork();
     if (child == 0) {
         if (setup.confined) confine(parent);
@@ -120,7 +120,7 @@ void ChildProcess::kill() const
 void ChildProcess::take()
 {
     Ended ended{.seconds = seconds_since(start_)};
-    if (confined_) kill();  // the processes that it has left running
+    if (confined_) kill();  // the processes that the child has left running
     int status = 0;
     rusage used{};
     while (wait4(id_, &status, 0, &used) < 0 && errno == EINTR) continue;
@@ -143,7 +143,7 @@ bool ChildProcess::ends_within(double seconds)
         }
         const double left = seconds - seconds_since(start);
         if (left <= 0) return false;
-        // By system call, because glibc 2.36 declares pidfd_open() for C only. Without it, polls every millisecond.
+        // A system call, because glibc 2.36 declares pidfd_open() for C only. If it fails, polls every millisecond.
         if (end.number() < 0) end = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, id_, 0)));
         pollfd wanted{.fd = end.number(), .events = POLLIN, .revents = 0};
         poll(&wanted, 1, end.number() < 0 ? 1 : static_cast<int>(std::ceil(std::min(1e3 * left, 1e9))));

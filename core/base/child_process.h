@@ -41,8 +41,8 @@ struct ChildSetup {
     int input = -1;                  // stdin; -1: /dev/null
     int output = -1;                 // stdout; -1: /dev/null
     int errors = -1;                 // stderr; -1: the caller's
-    // Kills the child's own children when it ends, and all of them when the calling thread ends. Limits files to 1 GiB
-    // and disables core dumps.
+    // When the child ends, kills the processes that it has left running. When the calling thread ends, kills the child.
+    // Limits files to 1 GiB and disables core dumps.
     bool confined = false;
 };
 
@@ -70,9 +70,9 @@ public:
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    // Waits for the end, at most so many seconds. Returns false if the child still runs.
+    // Waits at most `seconds` for the end. Returns false if the child still runs.
     bool ends_within(double seconds);
-    // Waits for the end; kills the child after so many seconds.
+    // Waits for the end; kills the child if it still runs after `seconds`.
     const Ended& end(double seconds = no_limit);
     // Kills the child without waiting. Any thread may call it.
     void kill() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resource limits that control groups impose on this process (Linux cgroups, version 1 or 2, set by containers and job
-// schedulers). The arguments `root` name the folder used as /, so that tests can supply files.
+// schedulers). The argument `root` of these functions is the folder to use in place of /, so that tests can supply
+// files.
 #pragma once
 
 #include <cstdint>

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "core/base/control_group.h"
+#include "core/base/environment.h"
 
 namespace mandelmarch {
 namespace {
@@ -28,7 +29,7 @@ struct Mask {
 };
 constinit Mask given;
 
-// Not instrumented, because it runs before sanitizers are initialised.
+// Sanitizers must not instrument this function, because it runs before they are initialised.
 __attribute__((no_sanitize("address", "thread", "undefined"))) void note_affinity()
 {
     given.bytes = syscall(SYS_sched_getaffinity, 0, sizeof given.bits, given.bits);
@@ -47,13 +48,12 @@ int cores_given()
 
 // Returns the first number of the list in an environment variable; nullopt if the variable is not set or the number is
 // not positive.
-std::optional<int> first_number(const char* variable)
+std::optional<int> first_number(VariableName variable)
 {
-    const char* text = std::getenv(variable);
-    if (text == nullptr) return std::nullopt;
+    const std::string text = environment_variable(variable);
     char* end = nullptr;
-    const long value = std::strtol(text, &end, 10);
-    if (end == text || value < 1) return std::nullopt;
+    const long value = std::strtol(text.c_str(), &end, 10);
+    if (end == text.c_str() || value < 1) return std::nullopt;
     return static_cast<int>(std::min(value, 1L << 20));
 }
 
@@ -79,12 +79,11 @@ int usable_threads() { return cores().threads(); }
 
 std::string binding()
 {
-    for (const char* variable : {"OMP_PROC_BIND", "OMP_PLACES", "GOMP_CPU_AFFINITY"}) {
-        const char* value = std::getenv(variable);
-        if (value == nullptr) continue;
-        const std::string_view text = value;
+    for (const VariableName name :
+         {VariableName("OMP_PROC_BIND"), VariableName("OMP_PLACES"), VariableName("GOMP_CPU_AFFINITY")}) {
+        const std::string text = environment_variable(name);
         if (text == "false" || text == "FALSE") return {};
-        if (!text.empty()) return fmt::format("{}={}", variable, text);
+        if (!text.empty()) return fmt::format("{}={}", name.text, text);
     }
     return {};
 }

@@ -20,7 +20,7 @@ struct Cache {
 struct Cpu {
     std::string name = "CPU";  // as reported by the CPU; "CPU" if unknown
     std::string vendor = "unknown";
-    // Numbers of the design, on x86 only. Different designs can have the same name. nullopt if unknown.
+    // Numbers that identify the design of an x86 CPU; different designs can have the same name. nullopt if unknown.
     std::optional<int> family, model, stepping;
     std::vector<std::string> flags;    // Linux's names, sorted
     std::vector<std::string> vectors;  // the vector extensions among the flags, in Linux's order
@@ -37,7 +37,7 @@ Cpu read_cpuinfo(std::istream& cpuinfo);
 std::vector<Cache> read_caches(const std::string& folder);
 
 Cpu host_cpu();
-std::string cpu_name();  // host_cpu()'s
+std::string cpu_name();  // host_cpu().name
 std::string cpu_vendor();
 
 }  // namespace mandelmarch

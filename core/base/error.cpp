@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/environment.h"
 #include "core/base/error.h"
 
 #include <fcntl.h>
@@ -21,8 +22,8 @@ namespace mandelmarch {
 
 namespace {
 
-// Opens /dev/null in place of each standard descriptor that is closed, so that no file receives its number. Uses the
-// wrong access mode, so that reads from stdin and writes to stdout and stderr still fail.
+// Opens /dev/null in place of each standard descriptor that is closed, so that no file opened later receives its
+// number. Uses the wrong access mode, so that reads from stdin and writes to stdout and stderr still fail.
 void hold_standard_descriptors()
 {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -39,8 +40,8 @@ double device_timeout()
     constexpr double usual = 300;
     constexpr double least = 1e-3;
     constexpr double most = 1e6;
-    const char* text = std::getenv("MANDELMARCH_DEVICE_TIMEOUT");
-    if (text == nullptr || *text == '\0') return usual;
+    const std::string text = environment_variable("MANDELMARCH_DEVICE_TIMEOUT");
+    if (text.empty()) return usual;
     const auto seconds = parse_real(text);
     if (seconds && *seconds >= least && *seconds <= most) return *seconds;
     throw InputError(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/memory.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -38,6 +39,13 @@ std::uint64_t available_memory(const std::string& root)
         left = std::min(left, limit - std::min(limit, used == no_limit ? 0 : used));
     }
     return left;
+}
+
+std::string memory_shortage(const std::string& what, std::uint64_t needed)
+{
+    const std::uint64_t available = available_memory();
+    if (needed <= available) return "";
+    return fmt::format("{} need {} MiB of memory and {} MiB are available", what, needed >> 20, available >> 20);
 }
 
 }  // namespace mandelmarch

@@ -12,4 +12,7 @@ namespace mandelmarch {
 // /.
 std::uint64_t available_memory(const std::string& root = {});
 
+// Returns "`what` need N MiB of memory and M MiB are available" if `needed` bytes are not available, else "".
+std::string memory_shortage(const std::string& what, std::uint64_t needed);
+
 }  // namespace mandelmarch

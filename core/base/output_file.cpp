@@ -116,7 +116,7 @@ void OutputFile::seek(std::uint64_t offset)
 void OutputFile::commit()
 {
     if (temporary_) {
-        // A new file has the default permissions of the user's mask; a file that replaces another has that one's.
+        // A new file gets the permissions that the umask leaves; a replaced file's permissions are kept.
         struct stat old {};
         const mode_t mask = umask(0);
         umask(mask);

@@ -27,13 +27,13 @@ public:
     void seek(std::uint64_t offset);
     void commit();
 
-    // Throws InputError if the target certainly cannot be written: its folder is missing or not writable, or it is a
-    // folder. Changes nothing.
+    // Throws InputError if the target certainly cannot be written, such as a folder, or a file in a folder that is
+    // missing or not writable. Changes nothing.
     static void check(const std::string& path);
 
     // Returns true if the target exists and is neither a regular file nor a folder, such as a device or a pipe. Also
     // returns true if its name is in /proc, such as /dev/stdout, /dev/stderr and /dev/fd/N, which are links into /proc.
-    // These are written directly even if they refer to regular files, as a shell does.
+    // A file with such a name is written directly even if it is a regular file, as by a shell.
     static bool is_stream(const std::string& path);
 
 private:

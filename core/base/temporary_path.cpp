@@ -24,11 +24,12 @@ constexpr pid_t nobody = 0;
 constexpr pid_t in_change = -1;
 
 struct Name {
-    std::atomic<pid_t> owner = nobody;  // a forked process has the name, but does not own the file
+    std::atomic<pid_t> owner = nobody;  // the process that removes the file; one forked from it must not
     std::array<char, PATH_MAX> path;
 };
 
-// The names in use; global, as a signal handler needs. Files whose names find no slot remain after a signal.
+// The names in use. They are global, because a signal handler has no other access to them. If no slot is free for a
+// name, its file remains after a signal.
 std::array<Name, 64> names;  // NOLINT: see above
 
 // The signal handler. Removes the files, then raises the signal again with its default action.
@@ -56,7 +57,7 @@ bool install()
     return true;
 }
 
-// Returns the name's slot; names.size() if all are in use.
+// Returns the name's slot; names.size() if none is free or the path is too long.
 std::size_t add(const std::string& path)
 {
     static const bool installed = install();
@@ -85,7 +86,7 @@ TemporaryPath::TemporaryPath(const std::string& prefix, int& descriptor) : owner
 {
     do {
         path_ = fmt::format("{}{:08x}", prefix, std::random_device()());
-        slot_ = add(path_);  // before the file exists, so that no signal leaves it
+        slot_ = add(path_);  // before the file exists, so that no signal can leave the file behind
         descriptor = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
         if (descriptor < 0) free_slot(slot_);
     } while (descriptor < 0 && errno == EEXIST);

@@ -30,8 +30,8 @@ public:
 
 private:
     std::string path_;  // empty after renaming
-    pid_t owner_;       // a forked process does not own the file
-    std::size_t slot_;  // of the name, for signals
+    pid_t owner_;       // the process that removes the file; one forked from it must not
+    std::size_t slot_;  // index of the path in the signal handler's list
 };
 
 }  // namespace mandelmarch

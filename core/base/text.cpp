@@ -23,7 +23,6 @@ std::size_t utf8_length(std::string_view text)
     for (std::size_t i = 1; i < length; ++i) {
         if ((byte(i) & 0xc0) != 0x80) return 0;
     }
-    // U+0080 to U+009F are control characters.
     return length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0 ? 0 : length;
 }
 

@@ -80,8 +80,8 @@ public:
     const std::pmr::vector<PixelValue>& values() const { return values_; }
     std::pmr::vector<PixelValue>& values() { return values_; }
 
-    // Stores the planes' pixels (0, 0) to (width - 1, height - 1) into the image; their first one becomes pixel (left,
-    // bottom), in which `bottom` is counted in the larger picture. A byte is trunc(255 c), computed in the planes'
+    // Stores the planes' pixels (0, 0) to (width - 1, height - 1) into the image. Pixel (0, 0) of the planes becomes
+    // pixel (left, bottom); `bottom` is counted in the larger picture. A byte is trunc(255 c), computed in the planes'
     // precision. Several threads may store different parts of an image at the same time.
     template <class Real>
     void store(const Planes<Real>& planes, int left, int bottom, int width, int height);

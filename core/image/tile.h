@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A square of finished pixels, passed from a backend to an image. Contains plain data only, because it is used by
-// translation units that are compiled for one instruction set, and must not contain code of the standard library.
+// A square of finished pixels, passed from a backend to an image. Contains plain data only, because translation units
+// that are compiled for one instruction set include it, and they must not contain code of the standard library.
 #pragma once
 
 namespace mandelmarch {

@@ -54,7 +54,7 @@ void transfer(Archive& archive, ReportOrConst& report)
 enum class Request : int {
     list,     // -> the reason why no device is available, or ""; the devices
     create,   // renderer number, options -> no results
-    render,   // renderer number, whether the image has values, scene, shared memory of the image -> RenderStats
+    render,   // renderer number, image's layers, first row and rows, scene; shared memory if it is new -> RenderStats
     release,  // renderer number; has no response
     cancel,   // cancels the render in progress, if any; has no response
     peak      // options -> whether the peak is known; operations per second

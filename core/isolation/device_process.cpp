@@ -8,13 +8,13 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <mutex>
 #include <new>
 #include <set>
 
 #include "core/base/console.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
@@ -23,21 +23,21 @@ namespace mandelmarch::isolation {
 namespace {
 
 // Longest time to wait for a message. It exceeds device_timeout(), because the device process applies that limit
-// itself, and reports the device with a more precise message.
+// itself, and then sends a more precise message.
 std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1 * device_timeout() + 1); }
 
 constexpr std::size_t most_said = 1 << 16;  // max bytes of the process's output that are kept until they are printed
 constexpr std::size_t last_words = 300;     // max bytes of its output that a message quotes
 
-constexpr const char* log_variable = "MANDELMARCH_DRIVER_LOG";
+constexpr VariableName log_variable = "MANDELMARCH_DRIVER_LOG";
 
 // Opens the file that the environment variable names. Returns an empty Descriptor if it is not set.
 Descriptor opened_log()
 {
-    const char* path = std::getenv(log_variable);
-    if (path == nullptr || *path == '\0') return {};
-    Descriptor log(open(path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
-    if (log.number() < 0) throw InputError(fmt::format("{}: {}: {}", log_variable, path, std::strerror(errno)));
+    const std::string path = environment_variable(log_variable);
+    if (path.empty()) return {};
+    Descriptor log(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
+    if (log.number() < 0) throw InputError(fmt::format("{}: {}: {}", log_variable.text, path, std::strerror(errno)));
     return log;
 }
 
@@ -61,7 +61,7 @@ std::optional<Packet> DeviceProcess::heard(const char* doing)
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
         if (left <= 0) break;
         poll(from.data(), from.size(), static_cast<int>(std::min<long long>(left, 60'000)));
-        // The output is read at once, because the process would block if the pipe were full. It is not a response.
+        // Reads the output at once, because the process would block if the pipe were full. Output is not a response.
         if (from[1].revents != 0) listen();
         if (from[0].revents != 0) return child_.channel.receive();
     }
@@ -76,7 +76,7 @@ void DeviceProcess::listen()
     std::array<char, 4096> buffer{};
     for (;;) {
         const ssize_t size = read(child_.said.number(), buffer.data(), buffer.size());
-        if (size == 0) child_.said = Descriptor();  // closed by the process
+        if (size == 0) child_.said = Descriptor();  // the process has closed its end
         if (size <= 0) return;
         log({buffer.data(), static_cast<std::size_t>(size)});
         said_.append(buffer.data(), static_cast<std::size_t>(size));
@@ -89,7 +89,7 @@ void DeviceProcess::log(std::string_view text)
     while (log_.number() >= 0 && !text.empty()) {
         const ssize_t size = write(log_.number(), text.data(), text.size());
         if (size < 0) {
-            say("{}: {}\n", log_variable, std::strerror(errno));
+            say("{}: {}\n", log_variable.text, std::strerror(errno));
             log_ = Descriptor();
             return;
         }

@@ -20,10 +20,9 @@ public:
     DeviceProcess& operator=(const DeviceProcess&) = delete;
 
     // Sends a request and waits for the response; messages name the action `doing`, such as "drawing". Prints the
-    // process's output to stderr. Rethrows exceptions of the backend. Throws Error if the process ends. Throws
-    // DeviceHung if it sends nothing for longer than device_timeout(); the process is then ended, and has_ended()
-    // returns true. If `progress` throws Cancelled, the process is told to cancel, and Cancelled is rethrown after its
-    // response.
+    // process's output to stderr. Rethrows exceptions of the backend. Throws Error if the process ends. If the process
+    // sends nothing for longer than device_timeout(), ends it and throws DeviceHung; has_ended() then returns true. If
+    // `progress` throws Cancelled, sends Request::cancel, waits for the response, and throws Cancelled.
     Deserializer ask(const Serializer& request, const char* doing, int descriptor = -1, const Progress& progress = {});
     // Sends a request that has no response.
     void tell(const Serializer& request);
@@ -37,7 +36,7 @@ private:
     void log(std::string_view text);                    // appends to the file named by MANDELMARCH_DRIVER_LOG
     void repeat_said();                                 // prints the stored output to stderr
     std::string end(bool now = false);                  // ends the process; returns how it ended
-    bool told(const Progress& progress, double share);  // calls progress; false: cancelled, and the process was told
+    bool told(const Progress& progress, double share);  // calls progress; false: it was cancelled, sent Request::cancel
     [[noreturn]] void fail(Answer kind, Deserializer& answer, const char* doing);
 
     std::shared_ptr<const ForkServer> fork_server_;

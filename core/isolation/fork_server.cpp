@@ -23,7 +23,7 @@ namespace {
 
 using Task = std::function<void(Channel)>;
 
-constexpr double patience = 1;  // seconds for a process that has closed its channel
+constexpr double patience = 1;  // seconds that a process has to exit after its channel was closed
 
 [[noreturn]] void fail(const char* what)
 {
@@ -61,7 +61,7 @@ pid_t fork_tied()
 }
 
 // Serves requests of the program. A message with the socket for a new process is followed by one with the pipe for its
-// output; any other message contains the process to end.
+// output; any other message names the process to end.
 [[noreturn]] void tend(const Task& work, const Channel& channel)
 {
     while (auto asked = channel.receive()) {
@@ -95,7 +95,7 @@ ForkServer::ForkServer(const Task& work) : channel_(Descriptor())
 
 ForkServer::~ForkServer()
 {
-    // The device processes are killed with the fork server, which is their parent.
+    // The system then also kills the device processes, whose parent is the fork server (PR_SET_PDEATHSIG).
     kill(id_, SIGKILL);
     waitpid(id_, nullptr, 0);
 }

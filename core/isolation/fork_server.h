@@ -14,7 +14,7 @@
 
 namespace mandelmarch::isolation {
 
-// A device process, as the program knows it.
+// The program's handles of a device process.
 struct Child {
     pid_t id = 0;
     Channel channel;  // connected to the function `work` in the process

@@ -57,7 +57,7 @@ public:
         return report;
     }
 
-    // Calls `body`. If the device hangs, it is given up, because each further call would wait as long.
+    // Calls `body`. If the device hangs, gives it up, because each further call would wait as long.
     template <class Body>
     auto guarded(const Body& body)
     {
@@ -73,7 +73,7 @@ public:
     int next_number() { return numbers_++; }
 
 private:
-    static constexpr std::size_t most_spare = 64;  // larger memory than this times the size needed is replaced
+    static constexpr std::size_t most_spare = 64;  // memory over this many times the size needed is replaced
 
     std::shared_ptr<const ForkServer> fork_server_;
     std::string name_;

@@ -12,7 +12,7 @@
 namespace mandelmarch::job {
 namespace {
 
-// Max fraction of a device's free memory that is used: 1 / memory_share. Other programs need some, too.
+// A band uses at most 1 / memory_share of a device's free memory, because other programs need some, too.
 constexpr std::size_t memory_share = 4;
 // Target time of a band on the host. It is short, because a picture can be cancelled only between bands.
 constexpr double seconds_per_band = 0.1;

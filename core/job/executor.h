@@ -109,7 +109,7 @@ public:
         job_on_device_ = memory.job.of_size(sizeof(job_));
     }
 
-    // The limits do not limit loop iterations, so the entry is always Entry::draw.
+    // The renderer's Limits have no limit of loop iterations, so the entry is always Entry::draw.
     void run(Entry, const Band& band, int) override
     {
         job_.first_row = band.first_row;

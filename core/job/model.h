@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of programming models that run the scalar kernel in their loops; they compile C++. See
+// The interface of programming models that compile C++ and run the scalar kernel in their own loops. See
 // docs/add-a-backend.md, "A model that compiles C++".
 #pragma once
 

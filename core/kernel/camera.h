@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernel source, part 7: the directions of rays from the camera.
 
-// Returns the position of pixel `at` in a row or column of `size` pixels, from -1 to 1. The division is exact, because
-// its last bits affect the picture.
+// Returns the position of pixel `at` in a row or column of `size` pixels, from -1 to 1. Uses
+// quotient(), not quick_quotient(), because the last bits affect the picture.
 FN real picture_place(real at, scalar size) { return quotient(2 * at, size) - 1; }
 
 // Returns the direction through (u, v) of a perspective picture, not normalised. v = -1 is the bottom.

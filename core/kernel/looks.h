@@ -22,8 +22,8 @@ struct Openness {
 };
 
 // Returns the openness, which is 1 - occlusion, at p in the direction n. It is the ratio of the estimate to the
-// distance from p, at four points from 0.4 to 9 % of t away from p. The estimate is a lower bound of the distance to
-// the surface, and often a third of it, so a ratio of one half already counts as open.
+// distance from p, at four points from 0.4 to 9 % of t away from p. The estimate is usually smaller than the distance
+// to the surface, often a third of it, so a ratio of one half already counts as open.
 FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness result;

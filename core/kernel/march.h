@@ -113,7 +113,7 @@ FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
 // Returns true while the cone has not ended, is in the scene, and has steps left.
 FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end && ray.steps < most_cone_steps(); }
 
-// Moves the beginning of a ray to `start`, a result of neighbour_start(), if that is farther.
+// Moves the beginning of a ray to `start`, a result of neighbour_start(), if `start` is farther.
 FN Ray begun_by_neighbours(Ray ray, real start)
 {
     ray.last_t = pick(start > ray.t, ray.t, 0);
@@ -121,8 +121,8 @@ FN Ray begun_by_neighbours(Ray ray, real start)
     return ray;
 }
 
-// Returns true if a ray began at neighbour_start() and its first sample there is already a hit. It may have begun
-// behind the surface, and must begin again without its neighbours, by begun_alone().
+// Returns true if a ray began at neighbour_start() and its first sample there is already a hit. The ray may then have
+// begun behind the surface, and must begin again, without neighbours, by begun_alone().
 FN mask begun_too_late(Scene scene, Ray ray)
 {
     return has_hit(scene, ray) && ray.before_t > 0 && ray.before_distance == scene.end;

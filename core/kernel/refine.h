@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 9: from a stopped ray to its point on the surface. Call order: stopped(); refine() any number
-// of times, only for canonical pictures; landing(). The canonical hit is the root of f(t) = DE(t) - tolerance t
+// Kernel source, part 9: finds the point on the surface that a stopped ray has hit. Call order: stopped(); refine() any
+// number of times, only for canonical pictures; landing(). The canonical hit is the root of f(t) = DE(t) - tolerance t
 // between the ray's last two samples, which are the first bracket.
 
 // Values of Hit::state.
@@ -45,7 +45,7 @@ FN mask refining(Scene scene, Hit hit)
 }
 
 // Returns the root of the secant through the ends of the bracket. Refinement is the regula falsi of Anderson and Bjorck
-// (BIT 13, 1973): f at an end that is retained repeatedly is scaled down, by narrowed().
+// (BIT 13, 1973): narrowed() scales down f at an end that is retained repeatedly.
 FN real secant(Hit hit)
 {
     real rise = hit.below_f - hit.above_f;
@@ -77,7 +77,7 @@ FN Hit narrowed(Scene scene, Hit hit, Estimate here, mask on)
     mask below = on && f < 0;
     mask above = on && !below;
     // If an end is retained for the second time, f there is multiplied by 1 minus the ratio of the new f at the other
-    // end to the old one, or by one half if that is not positive.
+    // end to the old f at that end; if this factor is not positive, by one half.
     real share = 1 - rough_quotient(f, pick(below, hit.below_f, hit.above_f));
     share = pick(share > 0, share, R(0.5));
     mask twice_below = below && hit.state == tried_below();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernel source, part 1: the data that a kernel receives and the results that it returns.
 
-// The data that are the same for all pixels. core/render/kernel_scene.cpp computes them in double and rounds them. The
-// order is ints, reals, triples, with which the layout is the same in C++, in OpenCL C and in GLSL's std430.
+// The data that are the same for all pixels. core/render/kernel_scene.cpp computes them in double and rounds them. In
+// this order (ints, reals, triples) the layout is the same in C++, in OpenCL C and in GLSL's std430.
 struct Scene {
     int width;           // pixels
     int height;          // pixels
@@ -29,7 +29,7 @@ struct Scene {
     scalar fractal[11];  // constants whose meanings the fractal's file defines
 
     triple eye;      // position of the camera
-    triple forward;  // to the centre of the pixels, of length 1 or slightly more; equirectangular: exactly ahead
+    triple forward;  // to the centre of the pixels, at distance 1; equirectangular: unit vector of the view direction
     triple across;   // from the centre to the right edge, at distance 1; equirectangular: length of that arc
     triple upward;   // from the centre to the top edge, at distance 1; equirectangular: length of that arc
     triple sun;      // unit vector towards the sun, used by looks
@@ -73,7 +73,7 @@ struct Pixel {
     counter iterations;
 };
 
-// The result of a DE evaluation: a lower bound of the distance to the surface, and the number of iterations used.
+// The result of a DE evaluation: the estimate of the distance to the surface, and the number of iterations used.
 struct Estimate {
     real distance;
     counter iterations;

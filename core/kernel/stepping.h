@@ -2,7 +2,7 @@
 // Kernel source, part 6: computes the length of a ray's next step. core/render/stepping.h sets the parameters of a
 // picture, and docs/fast-mode.md explains the method.
 
-// Constants, selected by how much pictures of random scenes change (docs/notes/experiments.md).
+// Constants, chosen by measuring how much pictures of random scenes change (docs/notes/experiments.md).
 FN scalar shortest_relaxed() { return R(1.2); }  // min length of an over-relaxed step, as a multiple of the estimate
 FN scalar dip_margin() { return R(1.3); }        // an estimate below this many tolerances is close to a dip
 FN scalar dip_stride() { return R(0.4); }        // length of a step there, as a multiple of the estimate
@@ -32,7 +32,7 @@ FN real relaxed(Scene scene, Ray ray)
     return step;
 }
 
-// Neighbours are pixels that are rendered before the pixels between them, and pass on their depth. It is the t of their
+// Neighbours are pixels that are rendered before the pixels between them, and pass on a depth to these: the t of the
 // hit; clear_miss() if the ray missed with enough clearance for the rays around it; or unclear_miss() for other misses.
 FN scalar clear_miss() { return R(-1.0); }
 FN scalar unclear_miss() { return R(0.0); }

@@ -48,7 +48,7 @@ FN real rough_quotient(real a, real b) { return quick_quotient(a, b); }
 
 FN real rough_root(real a) { return quick_root(a); }
 
-// Returns a / sqrt(b). `less` is a / b. Saves a multiplication if square roots are computed without a division.
+// Returns a / sqrt(b). `less` must be a / b. A prelude with a fast 1 / sqrt(b) defines it with one multiplication less.
 #define over_root(a, less, b) ((less)*quick_root(b))
 #endif
 
@@ -86,7 +86,7 @@ FN Complex squared(Complex a)
     return complex_number(a.re * a.re - a.im * a.im, twice * a.im);
 }
 
-// Returns a^2. length2 is |a|^2, which saves a multiplication, by cos 2x = 2 cos^2 x - 1.
+// Returns a^2. length2 must be |a|^2; it saves a multiplication, because re^2 - im^2 = 2 re^2 - |a|^2.
 FN Complex squared_within(Complex a, real length2)
 {
     real twice = a.re + a.re;
@@ -94,8 +94,8 @@ FN Complex squared_within(Complex a, real length2)
 }
 
 // raised() computes a^n by left-to-right binary powers (Knuth, The Art of Computer Programming 2, 4.6.3), for
-// 1 <= n < 1024. It is unrolled, with one call per bit of n. If n is a compile-time constant, only the necessary
-// multiplications remain. Drivers that limit the loop iterations of an invocation see no loop.
+// 1 <= n < 1024. It is unrolled, with one call per bit of n, because some drivers limit the loop iterations of an
+// invocation. If n is a compile-time constant, only the necessary multiplications remain.
 FN Complex raised_by_bit(Complex result, Complex a, int n, int bit)
 {
     if (n / bit > 1) {

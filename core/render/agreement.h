@@ -22,8 +22,9 @@ std::string_view name_of(Level level);  // "same bits", "ULP", "perceptual", "di
 struct Agreement {
     Level level = Level::different;
     Comparison comparison;
-    bool numbers = false;     // both images have values, and the second has no NaN
-    double largest_ulps = 0;  // max difference of a colour or depth, in ulp of the precision; +infinity if one is NaN
+    bool numbers = false;  // both images have values, and the second has no NaN
+    // Max difference of a colour or depth, in ulp of the precision; +infinity if one is NaN or only one is infinite.
+    double largest_ulps = 0;
 };
 
 // Max differences for the levels `ulps` and `perceptual`.

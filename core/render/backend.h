@@ -157,16 +157,16 @@ public:
     virtual ~Renderer() = default;
 
     // Renders `scene` into `image` and overwrites all of it. The image must have the scene's width, and all rows of the
-    // scene or only some of them, beginning with Image::first_row(); their pixels are the same as in the whole picture.
-    // May be called repeatedly. Throws Unavailable if the scene's fractal is not supported, Error if the device fails,
-    // and Cancelled.
+    // scene or only some of them, beginning with Image::first_row(). In exact mode, rows do not depend on which others
+    // are rendered; for fast mode see core/render/region.h. May be called repeatedly. Throws Unavailable if the scene's
+    // fractal is not supported, Error if the device fails, and Cancelled.
     virtual RenderStats render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
 };
 
 // The role of a backend. Programs that need a certain backend select it by its role.
 enum class Role {
     none,
-    reference,   // shares no formulas with the kernel; renders expected pictures and baseline times, without a trial
+    reference,   // shares no formulas with the kernel; gives expected pictures and baseline times, without a trial
     host,        // the kernel on this machine's cores; with SIMD width 1 it defines the exact bits for all backends
     accelerator  // selected by `--backend auto` if it has a GPU
 };
@@ -191,7 +191,6 @@ struct BackendInfo {
     bool chunk = false;
     bool band = false;
     bool block_size = false;
-    std::vector<std::string_view> variables = {};  // environment variables that change the backend's behaviour
     KernelBuild build = {};
 };
 

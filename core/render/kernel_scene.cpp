@@ -51,8 +51,8 @@ void assign(Triple& to, Vector from)
           static_cast<std::remove_reference_t<Real>>(from.z)};
 }
 
-// The columns or rows of the scene as a part of the whole picture's, which extend from -1 to 1. middle: position of
-// their middle, moved by half a pixel if rays go through the centres of pixels. half: half of their extent.
+// The range of the scene's columns or rows in the whole picture, which extends from -1 to 1. middle: middle of the
+// range, moved by half a pixel if rays go through the centres of pixels. half: half the range's length.
 struct Side {
     double middle, half;
 
@@ -114,7 +114,7 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     using Real = decltype(Layout::tolerance);
     const auto real = [](double value) { return static_cast<Real>(value); };
     if (is_float<Layout> && !techniques.gradient) {
-        throw InputError("technique normal: float has no digits for differences, expected double without it");
+        throw InputError("technique gradient: float has no digits for differences, expected double without it");
     }
     const bool fast = mode == Mode::fast;
     FractalConstants<double> constants =

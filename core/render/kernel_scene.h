@@ -46,10 +46,10 @@ inline constexpr int max_steps = 8000;           // max number of samples of a r
 inline constexpr double farthest_sample = 1000;  // max t of a sample
 
 // Returns the kernel's parameters. They are computed in double and then rounded. In exact mode a hit is the last sample
-// of the original stepping, in fast mode the canonical hit. Normals come from central differences in exact mode in
-// double precision, and otherwise from the analytic gradient. They come from differences over a tetrahedron if the
-// scene is smooth, or if it is conservative and the gradient would be used. Throws InputError for float without the
-// technique `normal`.
+// of the original stepping, in fast mode the canonical hit. In double, normals come from central differences in exact
+// mode and without the technique `gradient`; otherwise they come from the analytic gradient. They come from differences
+// over a tetrahedron if the scene is smooth, or if it is conservative and the gradient would be used. Throws InputError
+// for float without the technique `gradient`.
 template <class Layout>
 Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
 

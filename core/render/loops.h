@@ -24,8 +24,8 @@ struct Loops {
 // with normals from central differences.
 Loops loops_of(const Scene& scene);
 
-// Returns what the source made of loops.cpp.in for a fractal defines (cmake/Kernels.cmake); nullptr if there is none.
 using CountLoops = Loops(const layout_f64::Scene& scene);
+// Returns the function that loops.cpp.in defines for the fractal (cmake/Kernels.cmake); nullptr if there is none.
 CountLoops* loop_counter(std::string_view fractal);
 
 }  // namespace mandelmarch

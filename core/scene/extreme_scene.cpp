@@ -67,8 +67,8 @@ Scene drawn(SceneRandom& chance, const Fractal& fractal, int number)
     set_plain_shape(fractal, scene);
     scene.colouring = static_cast<int>(chance.between(0, colouring_types - 0.001));
     scene.brightness = SceneRandom::single(chance.one_in(6) ? chance.magnitude(1e-6, 1e6) : chance.between(0.5, 1.5));
-    // Scenes 2n and 2n + 1 have the same size, so that a backend that leaves remains of the previous picture in
-    // its buffers is detected.
+    // Scenes 2n and 2n + 1 have the same size, unless one has many iterations. So a comparison detects a backend that
+    // leaves parts of the previous picture in its buffers.
     const Size size = sizes[static_cast<std::size_t>(number) / 2 % sizes.size()];
     scene.width = size.width;
     scene.height = size.height;

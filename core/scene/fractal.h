@@ -90,7 +90,6 @@ Vector upward(Vector place, Vector up);                                  // away
 void no_tail(const Scene& scene, FractalConstants<double>& constants);   // unchanged
 void same_shape(Scene& scene, SceneRandom& chance, bool even);           // unchanged
 void same_extreme_shape(Scene& scene, SceneRandom& chance);              // unchanged
-inline constexpr std::array iterations{2, 4, 8, 16, 32, 64, 100};
 }  // namespace defaults
 
 inline constexpr double sphere_corner = 1;
@@ -108,8 +107,8 @@ struct FractalFast {
     // Step factor. If it is below plain_step_factor, steps are not over-relaxed. This is for scenes with thin features,
     // which longer steps would miss.
     RowFormula<Plain> step_factor{defaults::step_factor<double>, defaults::step_factor<Formula>};
-    // Refinement of a hit ends if |DE - tolerance t| is below this fraction of the tolerance. Selected by how much
-    // pictures change.
+    // Refinement of a hit ends if |DE - tolerance t| is below this fraction of the tolerance. The value was chosen by
+    // measuring how much pictures change.
     double root_share = 0.001;
     // Cones are used if adjacent rays are at most this many tolerances apart.
     double cone_pitch = 0;
@@ -117,31 +116,15 @@ struct FractalFast {
     double neighbour_pitch = 0;
 };
 
-// Parameters for planning a tour. Lengths are fractions of the size of the fractal's bounds; a clearance is the
-// estimated distance from the surface.
-struct FlightMeasures {
-    double roads = 0.012;        // min clearance of the balls of free space through which a tour is planned
-    double gate_least = 0.0040;  // min clearance of a gate, a narrow passage
-    double gate_most = 0.02;     // max clearance of a gate
-    double pace = 0.19;          // speed, in clearances per frame
-};
-
-// Limits that the audit of a flight checks.
-struct FlightBars {
-    double step = 0.2;     // max step of the camera, in clearances per frame
-    double aside = 10;     // max percentage of frames that look more than 60 degrees away from the motion
-    double passages = 12;  // min number of passages per 7200 frames
-    double planning = 20;  // max seconds of planning
-};
-
 // Properties of a fractal for planning flights.
 struct FractalFlight {
     // Returns the min magnification of an iteration. Features that iteration n adds have about growth^-n times the
     // fractal's size.
     double (*growth)(const Scene& scene) = defaults::growth;
-    // How far the estimate can be trusted, as fractions of it. safety: the part that is certainly free of the surface,
-    // at some distance from it. step_factor: the step factor for films; it is smaller, because close to the surface an
-    // estimate can exceed the distance. `conservative` applies to the conservative estimate, if the fractal has one.
+    // Fractions of the estimate that can be trusted. safety: within this fraction there is certainly no surface, except
+    // at points close to the surface. step_factor: the step factor for films; it can be smaller, because close to the
+    // surface an estimate can exceed the distance. `conservative` is for the conservative estimate, if the fractal has
+    // one.
     struct Trust {
         double safety = 0.5;
         double step_factor = 0.5;
@@ -158,8 +141,6 @@ struct FractalFlight {
     bool (*worth_searching)(const Scene& scene, const Bounds& body, Vector p) = defaults::worth_searching;
     // Returns a unit vector, the upward direction of a level camera at `place`. `up` is the camera's up vector.
     Vector (*upward)(Vector place, Vector up) = defaults::upward;
-    FlightMeasures measures{};
-    FlightBars bars{};
 };
 
 // Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). Both functions change the shape that the
@@ -174,32 +155,11 @@ struct FractalRandom {
     std::optional<std::array<double, 4>> plain{};
 };
 
-// A fractal's parameters for the program bench.
-struct FractalStudy {
-    std::span<const int> iterations = defaults::iterations;  // numbers of iterations that a study compares
-    // A view that is filled by the surface, for the study box-vs-bulb.
-    struct CloseUp {
-        Vector eye, target, up;
-    };
-    std::optional<CloseUp> close_up{};
-    // Another scene of that study: the official one, with `added` added to its shape.
-    struct Variant {
-        std::string_view name;
-        std::array<double, 3> added;
-    };
-    std::optional<Variant> variant{};
-    // Max percentage of the official scene's pixels that may differ visibly between exact mode and the reference
-    // backend.
-    double off_in_double = 0;
-    double off_in_float = 0;
-};
-
 struct Fractal {
-    std::string_view name;          // also the stem of the names of its files
-    std::string_view short_name;    // alternative name on command lines
-    int list_order = 1000;          // lists of fractals are sorted by this number, then by name
-    bool in_default_study = false;  // bench includes the fractal by default; the build system reads this line, too
-    std::string_view official;      // text of the parameter file of its official scene
+    std::string_view name;        // also the stem of the names of its files
+    std::string_view short_name;  // alternative name on command lines
+    int list_order = 1000;        // lists of fractals are sorted by this number, then by name
+    std::string_view official;    // text of the parameter file of its official scene
     std::array<ParameterInfo, 3> shape;
     ParameterInfo escape;
     // Returns what is wrong with the combination of the three values of line 7, or "" if nothing is.
@@ -211,7 +171,6 @@ struct Fractal {
     FractalFast fast{};
     FractalFlight flight{};
     FractalRandom random;
-    FractalStudy study{};
 };
 
 // Returns the registered fractals, sorted by list_order, then by name.

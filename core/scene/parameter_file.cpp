@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t largest_file = 1 << 20;  // bytes; an official file has about 500
 constexpr std::string_view blanks = " \t\r\f\v";
 
-// Quotes text of the user for a message. Unprintable characters are replaced, and long texts are cut.
+// Quotes text of the user for a message. Replaces characters that are not printable ASCII, and cuts long texts.
 std::string quoted(std::string_view text)
 {
     constexpr std::size_t most = 40;
@@ -70,8 +70,8 @@ std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
     return fine && fractal.objection(as_that).empty() ? std::optional(count) : std::nullopt;
 }
 
-// Returns the fractal that has the fewest unusual values, if they are fewer than those of the scene's fractal;
-// otherwise nullptr.
+// Returns the fractal for which the fewest values of the scene are unusual, if they are fewer than for the scene's own
+// fractal; otherwise nullptr.
 const Fractal* likelier(const Scene& scene)
 {
     const Fractal* best = nullptr;
@@ -127,7 +127,8 @@ public:
     }
 
 private:
-    // Warns if the comments name another fractal and not this one, or if the values suit another fractal better.
+    // Warns if the comments do not name this fractal, and either they name another one or the values suit another one
+    // better.
     void warn_of_another_fractal()
     {
         if (names(fractal_)) return;
@@ -146,7 +147,7 @@ private:
 
     [[noreturn]] void fail(const std::string& text) const { throw InputError(place(number_) + ": " + text); }
 
-    // Reads the next line that is not empty without its comment. Returns false at the end of the text.
+    // Reads the next line that contains more than a comment. Returns false at the end of the text.
     bool next_line()
     {
         while (!rest_.empty()) {

@@ -24,7 +24,7 @@ struct ParameterFile {
 // message of the form `name:line: what is wrong, what was expected`.
 ParameterFile parse_parameters(std::string_view text, const std::string& name, const Fractal& fractal);
 
-// Reads and parses a parameter file. Throws InputError also if the file cannot be read.
+// Reads and parses a parameter file. Also throws InputError if the file cannot be read.
 ParameterFile read_parameters(const std::string& path, const Fractal& fractal);
 
 // Returns the scene of the fractal's official parameter file. The second function changes the picture's size.

@@ -14,6 +14,7 @@
 #include "flight/audit/runs.h"
 #include "flight/audit/views.h"
 #include "flight/field/threads.h"
+#include "flight/path/measures.h"
 
 namespace mandelmarch {
 namespace {
@@ -34,9 +35,9 @@ public:
 
     void promises()
     {
-        const FlightBars& bars = path_.scene.fractal->flight.bars;
+        const FlightMeasures::Limits& limits = flight_measures(*path_.scene.fractal).limits;
         solids();
-        steps(bars.step);
+        steps(limits.step);
         if (runs_.changes()) walls();
         turns();
         standing();
@@ -44,15 +45,15 @@ public:
 
     void quality()
     {
-        const FlightBars& bars = path_.scene.fractal->flight.bars;
+        const FlightMeasures::Limits& limits = flight_measures(*path_.scene.fractal).limits;
         nearness();
         inside();
         const auto field = [this](std::size_t frame) -> const DistanceField& { return runs_.field(frame); };
         const auto passages = distinct_passages(field, places_, clearances_);
         add({"distinct passages", static_cast<double>(passages.size()),
-             std::floor(bars.passages * seconds(places_.size()) / official_seconds), false, false, "", ""});
-        add({"frames at the cap on turning", percent(turned_at_cap_), 10, true, false, "%", ""});
-        gazes(bars.aside);
+             std::floor(limits.passages * seconds(places_.size()) / official_seconds), false, false, ""});
+        add({"frames at the cap on turning", percent(turned_at_cap_), 10, true, false, "%"});
+        gazes(limits.aside);
         for (Row& row : jerk_rows(path_, clearances_)) add(std::move(row));
         add(level_row(path_));
         views();
@@ -86,14 +87,14 @@ private:
         const auto worst = std::ranges::find(hit, 1) - hit.begin();
         const auto hits = std::ranges::count(hit, 1);
         add({"frames inside solid, swept between frames", static_cast<double>(hits), 0, true, true, "",
-             hits > 0 ? at_frame(static_cast<std::size_t>(worst)) : ""});
+             hits > 0 ? std::optional<std::size_t>(worst) : std::nullopt});
     }
 
     // Adds an item whose value is the largest of the frames' values.
     void add_largest(const char* name, const std::vector<double>& values, double bar, const char* unit)
     {
         const auto worst = std::ranges::max_element(values);
-        add({name, *worst, bar, true, true, unit, at_frame(static_cast<std::size_t>(worst - values.begin()))});
+        add({name, *worst, bar, true, true, unit, static_cast<std::size_t>(worst - values.begin())});
     }
 
     void steps(double bar)
@@ -125,7 +126,8 @@ private:
         add_largest("largest turn per frame", turns, cap, "deg");
     }
 
-    // Adds the longest time for which the camera stays within a quarter of its clearance from one point.
+    // Adds the longest time for which the camera stays within a quarter of its clearance from one point. A clearance
+    // counts as at most fastest_clearance().
     void standing()
     {
         std::vector<double> radii(clearances_.size());
@@ -133,7 +135,7 @@ private:
             radii[i] = stillness * std::min(clearances_[i], fastest_clearance(bounds(i)));
         const Stand stand = longest_stand(places_, radii);
         add({"longest time standing still", seconds(stand.steps), 2, true, true, "s",
-             stand.steps > 0 ? at_frame(stand.first) : ""});
+             stand.steps > 0 ? std::optional(stand.first) : std::nullopt});
     }
 
     void nearness()
@@ -142,14 +144,14 @@ private:
         for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = 100 * clearances_[i] / bounds(i).size;
         const auto least = std::ranges::min_element(shares);
         add({"least DE, share of the hull's size", *least, 0.25, false, false, "%",
-             at_frame(static_cast<std::size_t>(least - shares.begin()))});
+             static_cast<std::size_t>(least - shares.begin())});
     }
 
     void inside()
     {
         std::size_t count = 0;
         for (std::size_t i = 0; i < places_.size(); ++i) count += bounds(i).contains(places_[i]) ? 1 : 0;
-        add({"frames inside the hull", percent(count), 90, false, false, "%", ""});
+        add({"frames inside the hull", percent(count), 90, false, false, "%"});
     }
 
     void gazes(double bar)
@@ -161,7 +163,7 @@ private:
             const double product = length(motion) * length(view);
             if (product > 0 && dot(motion, view) < std::cos(aside * std::numbers::pi / 180) * product) ++count;
         }
-        add({"frames looking more than 60 deg off the motion", percent(count), bar, true, false, "%", ""});
+        add({"frames looking more than 60 deg off the motion", percent(count), bar, true, false, "%"});
     }
 
     void views()
@@ -192,7 +194,7 @@ private:
 
 }  // namespace
 
-std::string at_frame(std::size_t frame) { return fmt::format("frame {}", frame); }
+std::string Row::worst() const { return frame ? fmt::format("frame {}", *frame) : note; }
 
 bool Audit::promises_kept() const
 {
@@ -210,7 +212,7 @@ Audit audit(const Path& path, int threads, double planning, int stride)
     auditor.promises();
     auditor.quality();
     if (planning > 0)
-        auditor.add({"planning", planning, path.scene.fractal->flight.bars.planning, true, false, "s", ""});
+        auditor.add({"planning", planning, flight_measures(*path.scene.fractal).limits.planning, true, false, "s"});
     return auditor.take();
 }
 
@@ -235,7 +237,7 @@ std::string table_of(const Path& path, const Audit& audit)
                             row.kept()    ? "kept"
                             : row.promise ? "BROKEN"
                                           : "missed",
-                            row.worst.empty() ? "" : "  ", row.worst);
+                            row.worst().empty() ? "" : "  ", row.worst());
     }
     return text;
 }
@@ -258,7 +260,7 @@ std::string json_of(const Path& path, const Audit& audit)
                                 {"promise", row.promise},
                                 {"unit", row.unit},
                                 {"kept", row.kept()},
-                                {"worst", row.worst}});
+                                {"worst", row.worst()}});
     }
     return json.dump(2) + "\n";
 }

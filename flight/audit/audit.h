@@ -3,6 +3,8 @@
 // frames.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +19,13 @@ struct Row {
     double bar = 0;
     bool at_most = true;   // `bar` is an upper limit; false: a lower limit
     bool promise = false;  // true: a path that misses `bar` is rendered only with --force
-    std::string unit;
-    std::string worst;  // the frame or frames with the worst value, as text for the user; may be empty
+    std::string unit = {};
+    std::optional<std::size_t> frame = {};  // with the worst value
+    std::string note = {};                  // on the value, if no single frame is the worst; may be empty
 
     bool kept() const { return at_most ? value <= bar : value >= bar; }
+    // Returns the frame, such as "frame 12", or the note.
+    std::string worst() const;
 };
 
 struct Audit {
@@ -39,8 +44,5 @@ Audit audit_promises(const Path& path, int threads);
 
 std::string table_of(const Path& path, const Audit& audit);
 std::string json_of(const Path& path, const Audit& audit);
-
-// Returns "frame 12".
-std::string at_frame(std::size_t frame);
 
 }  // namespace mandelmarch

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/quantile.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
+#include "flight/path/measures.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {
@@ -17,9 +19,10 @@ constexpr double most_angular_jerk = 30;  // threshold, degrees / s^3
 constexpr double some_horizon = 0.25;     // the value of Tilt::horizon for a gaze 30 degrees from vertical
 constexpr double level = 30;              // degrees; a picture with a smaller tilt looks level
 
-constexpr double narrowing = 2;        // ratio of the clearances outside and inside a passage
-constexpr double same_clearances = 2;  // clearances; passages closer to each other than this count as one
-constexpr double same_size = 0.02;     // fractal sizes; the same limit again: the larger of the two applies
+constexpr double narrowing = 2;  // ratio of the clearances outside and inside a passage
+// Passages closer to each other than the larger of these two count as one.
+constexpr double same_clearances = 2;  // clearances
+constexpr double same_size = 0.02;     // fractal sizes
 
 // Returns, for each frame but the last, the rotation from its camera to the next frame's. The direction of the vector
 // is the axis, its length is the angle in radians.
@@ -45,13 +48,7 @@ std::vector<Vector> rotations(const Path& path)
     return all;
 }
 
-double percentile_95(std::vector<double> values)
-{
-    if (values.empty()) return 0;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, at);
-    return *at;
-}
+double percentile_95(const std::vector<double>& values) { return values.empty() ? 0 : quantile(values, 0.95); }
 
 }  // namespace
 
@@ -77,11 +74,10 @@ std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
         const Vector second = turned[i] - 2.0 * turned[i - 1] + turned[i - 2];
         angular.push_back(length(second) * cube * 180 / std::numbers::pi);
     }
-    const double pace = path.scene.fractal->flight.measures.pace * frames_per_second;
+    const double pace = flight_measures(*path.scene.fractal).pace * frames_per_second;
     const double bar = most_jerk * pace * pace * pace;
-    return {{"jerk, 95 of 100 frames", percentile_95(std::move(jerk)), bar, true, false, "DE/s^3", ""},
-            {"angular jerk, 95 of 100 frames", percentile_95(std::move(angular)), most_angular_jerk, true, false,
-             "deg/s^3", ""}};
+    return {{"jerk, 95 of 100 frames", percentile_95(jerk), bar, true, false, "DE/s^3"},
+            {"angular jerk, 95 of 100 frames", percentile_95(angular), most_angular_jerk, true, false, "deg/s^3"}};
 }
 
 Row level_row(const Path& path)
@@ -95,7 +91,7 @@ Row level_row(const Path& path)
         held += std::abs(tilt.angle) < level * std::numbers::pi / 180 ? 1 : 0;
     }
     const double share = horizons > 0 ? 100.0 * static_cast<double>(held) / static_cast<double>(horizons) : 100;
-    return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%", ""};
+    return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%"};
 }
 
 std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,

@@ -49,8 +49,8 @@ private:
         double clearance;
     };
     // Returns true if the estimate is above `floor` halfway between the moments and, by recursion, halfway in both
-    // halves. The recursion ends when the estimate halfway is close to the mean of those at the ends, or at
-    // the greatest depth.
+    // halves. The recursion ends when the estimate halfway is close to the mean of those at the ends, or at the
+    // greatest depth.
     static bool free_between(const Moment& from, const Moment& to, double floor, int depth);
 
     const Path& path_;

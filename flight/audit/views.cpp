@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/quantile.h"
+
 namespace mandelmarch {
 namespace {
 
@@ -65,7 +67,7 @@ Row longest_row(const char* name, double bar, const Seen& seen, std::size_t stri
         }
     }
     const double seconds = static_cast<double>(longest * stride) / seen.frames_per_second;
-    return {name, seconds, bar, true, false, "s", longest > 0 ? at_frame(where) : ""};
+    return {name, seconds, bar, true, false, "s", longest > 0 ? std::optional(where) : std::nullopt};
 }
 
 }  // namespace
@@ -98,11 +100,7 @@ double DepthView::middle_hit_share() const
 Dullness DepthView::dullness(double clearance) const
 {
     if (hit_share() < least_hits) return Dullness::empty;
-    std::array<float, view_pixels> sorted = depth;
-    std::ranges::sort(sorted);
-    const auto at = [&](double share) {
-        return static_cast<double>(sorted[static_cast<std::size_t>(share * (view_pixels - 1))]);
-    };
+    const auto at = [&](double share) { return static_cast<double>(quantile(depth, share)); };
     if (at(filling) < near_wall * clearance) return Dullness::wall;
     return at(0.975) < one_depth * at(0.025) ? Dullness::one_depth : Dullness::lively;
 }
@@ -146,10 +144,7 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
         const auto [u2, v2] = place_in(after, seen_after);
         moved.push_back(0.5 * std::hypot((u2 - u) * view_width / view_height, v2 - v));
     }
-    if (moved.empty()) return 0;
-    const auto middle = moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2);
-    std::ranges::nth_element(moved, middle);
-    return *middle;
+    return moved.empty() ? 0 : upper_median(moved);
 }
 
 double median_motion(const DepthView& seen, const Frame& from, const Frame& to)
@@ -211,9 +206,7 @@ Row motion_row(const Path& path, const Seen& seen)
         moved.push_back(median_motion(seen.views[v], path.frames[frame], path.frames[frame + 1]));
     }
     if (moved.empty()) moved.push_back(0);
-    std::vector<double> sorted = moved;
-    std::ranges::sort(sorted);
-    const double median = sorted[sorted.size() / 2];
+    const double median = upper_median(moved);
     const auto fine = std::ranges::count_if(moved, [&](double m) { return m >= median / 3 && m <= 3 * median; });
     return {"frames with apparent motion within 3 times its median",
             100.0 * static_cast<double>(fine) / static_cast<double>(moved.size()),
@@ -221,6 +214,7 @@ Row motion_row(const Path& path, const Seen& seen)
             false,
             false,
             "%",
+            {},
             fmt::format("median {:.2f} % of the height a frame", 100 * median)};
 }
 
@@ -237,7 +231,7 @@ std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances,
                                 ? fmt::format("empty {:.1f} %, one depth {:.1f} %, a wall {:.1f} %",
                                               share(Dullness::empty), share(Dullness::one_depth), share(Dullness::wall))
                                 : "";
-    return {{"dull frames", dull, 3, true, false, "%", why},
+    return {{"dull frames", dull, 3, true, false, "%", {}, why},
             longest_row("longest time of dull frames on end", 1, seen, stride,
                         [&](std::size_t v) { return dullness[v] != Dullness::lively; })};
 }
@@ -247,7 +241,7 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
     const auto sky =
         std::ranges::count_if(seen.views, [](const DepthView& view) { return view.hit_share() < much_sky; });
     const double share = 100.0 * static_cast<double>(sky) / static_cast<double>(seen.views.size());
-    return {{"frames under 40 % of which something is hit", share, 10, true, false, "%", ""},
+    return {{"frames under 40 % of which something is hit", share, 10, true, false, "%"},
             longest_row("longest time with the subject at the edge only", 2, seen, stride,
                         [&](std::size_t v) { return seen.views[v].middle_hit_share() < shown; })};
 }
@@ -273,7 +267,7 @@ Row again_row(const Seen& seen)
             break;
         }
     }
-    return {"the same view again within a minute", static_cast<double>(again), 0, true, false, "", first};
+    return {"the same view again within a minute", static_cast<double>(again), 0, true, false, "", {}, first};
 }
 
 }  // namespace mandelmarch

@@ -46,7 +46,7 @@ DepthView view_of(const DistanceField& field, const Frame& frame);
 // of the pixels hit something, all pixels count.
 double median_motion(const DepthView& seen, const Frame& from, const Frame& to);
 
-// Returns the same median for the points that some rays hit, or 0 without rays. The rays start at `from.eye`. `along`:
+// Returns the same median for the points that given rays hit; 0 without rays. The rays start at `from.eye`. `along`:
 // their unit vectors; `depths`: the distances of the hit points, +infinity if a ray hits nothing.
 double median_motion(std::span<const Vector> along, std::span<const float> depths, const Frame& from, const Frame& to);
 

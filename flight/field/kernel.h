@@ -37,7 +37,8 @@ struct Kernel {
                   double* out);
 };
 
-// Returns what the source made of kernel.cpp.in for a fractal defines (cmake/Kernels.cmake); nullptr if there is none.
+// Returns the function that the build generates for a fractal from kernel.cpp.in (cmake/Kernels.cmake); nullptr if this
+// build does not contain the fractal.
 using MakeKernel = Kernel();
 MakeKernel* kernel_maker(std::string_view fractal);
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/quantile.h"
 #include "core/image/compare.h"
 #include "flight/audit/views.h"
 #include "flight/plan/random.h"
@@ -114,17 +115,12 @@ std::vector<Row> truth_rows(const Path& path, const Backend& backend, const Rend
     std::vector<double> offs;
     for (std::size_t frame = 0; frame < path.frames.size(); frame += every) offs.push_back(comparer.off(frame));
     const auto worst = static_cast<std::size_t>(std::ranges::max_element(offs) - offs.begin());
-    std::vector<double> sorted = offs;
-    std::ranges::sort(sorted);
-    const auto at = [&](double share) {
-        return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    const auto row = [](const char* name, double value, double bar, std::optional<std::size_t> frame = {}) {
+        return Row{name, value, bar, true, true, "%", frame};
     };
-    const auto row = [](const char* name, double value, double bar, const std::string& where) {
-        return Row{name, value, bar, true, true, "%", where};
-    };
-    return {row("pixels off their converged picture, median frame", at(0.5), median_bar, ""),
-            row("pixels off their converged picture, 95 of 100 frames", at(0.95), most_frames_bar, ""),
-            row("pixels off their converged picture, worst frame", offs[worst], worst_bar, at_frame(worst * every))};
+    return {row("pixels off their converged picture, median frame", quantile(offs, 0.5), median_bar),
+            row("pixels off their converged picture, 95 of 100 frames", quantile(offs, 0.95), most_frames_bar),
+            row("pixels off their converged picture, worst frame", offs[worst], worst_bar, worst * every)};
 }
 
 }  // namespace mandelmarch

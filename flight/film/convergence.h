@@ -13,7 +13,7 @@ namespace mandelmarch {
 
 // Measures, at every hundredth frame, the percentage of pixels that differ visibly from the converged picture. Returns
 // three promises: the median, the 95th percentile and the maximum over these frames. Sixteen patches of each frame are
-// rendered, once as in the film and once with short steps. Throws as the renderer does.
+// rendered twice without shared occlusion: with the film's steps and with short steps. Throws as the renderer does.
 std::vector<Row> truth_rows(const Path& path, const Backend& backend, const RendererOptions& options,
                             const Picture& picture);
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "core/base/environment.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
@@ -27,7 +27,7 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
                            const RendererOptions& renderer,
                            const std::vector<std::pair<std::string, std::string>>& more)
 {
-    const char* instructions = std::getenv("MANDELMARCH_INSTRUCTIONS");
+    const std::string instructions = environment_variable("MANDELMARCH_INSTRUCTIONS");
     const Device device = device_of(backend, renderer);
     nlohmann::ordered_json json{
         {"path", digest(to_text(path))},
@@ -41,7 +41,7 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
         {"backend", backend.name()},
         {"device", device.name},
         {"driver", device.driver},
-        {"instructions", instructions != nullptr ? instructions : "all of the machine"},
+        {"instructions", instructions.empty() ? "all of the machine" : instructions},
         {"precision", name_of(renderer.precision)},
         {"mode", name_of(renderer.mode)},
         {"program", digest_of_file("/proc/self/exe")},

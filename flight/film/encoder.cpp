@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <sstream>
 
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "flight/film/title.h"
@@ -112,18 +112,16 @@ std::vector<std::string> words_of(const std::string& text)
 
 std::string ffmpeg()
 {
-    const char* named = std::getenv("MANDELMARCH_FFMPEG");
-    if (named == nullptr || *named == '\0') return "ffmpeg";
+    const std::string name = environment_variable("MANDELMARCH_FFMPEG");
+    if (name.empty()) return "ffmpeg";
     // A name without a slash stays as it is and is searched in PATH.
-    const std::string name = named;
     return name.find('/') == std::string::npos ? name : std::filesystem::absolute(name).string();
 }
 
 double ffmpeg_timeout(double usual)
 {
     constexpr double longest = 1e6;  // seconds; its milliseconds fit into the int that poll() takes
-    const char* text = std::getenv("MANDELMARCH_FFMPEG_TIMEOUT");
-    const double seconds = text == nullptr ? usual : parse_real(text).value_or(usual);
+    const double seconds = parse_real(environment_variable("MANDELMARCH_FFMPEG_TIMEOUT")).value_or(usual);
     return seconds > 0 ? std::min(seconds, longest) : usual;
 }
 

@@ -52,6 +52,7 @@ Range chosen_segments(const std::optional<Range>& segments, std::size_t frames);
 // - The path does not have the chosen frames or segments.
 // - The title does not fit.
 // - The output cannot be written, or its extension is not that of a film.
+// - Segments are chosen, but the output is a pipe or device.
 // Does not change any file.
 void check_film(const FilmOptions& options, std::size_t frames, int rate);
 
@@ -75,8 +76,8 @@ struct StillOptions {
 // Throws InputError if stills cannot be made from a path of `frames` frames.
 void check_stills(const StillOptions& options, std::size_t frames);
 
-// Writes frame-000123.png (or .jpg) and its stamp for every frame with a still, which is every `every`-th one. Keeps
-// files that are finished according to their stamps. Returns the number of stills, including those kept.
+// Writes frame-000123.png (or .jpg) and its stamp for every `every`-th of the chosen frames. Keeps files that are
+// finished according to their stamps. Returns the number of stills, including those kept.
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks);
 
 }  // namespace mandelmarch

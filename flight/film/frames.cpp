@@ -101,10 +101,8 @@ void check_picture(const Picture& picture)
     if (width > max_side || height > max_side) {
         throw InputError(fmt::format("{} have a side of more than {}, expected a smaller size", size, max_side));
     }
-    const std::uint64_t available = available_memory();
-    if (needed <= available) return;
-    throw InputError(fmt::format("{} need {} MiB of memory and {} MiB are available, expected a smaller size", size,
-                                 needed >> 20, available >> 20));
+    const std::string lack = memory_shortage(size, needed);
+    if (!lack.empty()) throw InputError(lack + ", expected a smaller size");
 }
 
 FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture)

@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the progress of a film to stderr: a bar if stderr is a terminal, else a line every 15 s.
+// Counts the finished frames of a film and prints the progress to stderr.
 #pragma once
 
-#include <chrono>
-#include <mutex>
-#include <string>
+#include <fmt/format.h>
+
+#include "cli/progress_bar.h"
+#include "core/base/console.h"
 
 namespace mandelmarch {
-
-// Returns a time as hours, minutes and seconds, such as "1:02:03 h".
-std::string clock_text(double seconds);
 
 class FilmProgress {
 public:
     // `frames`: number of frames in all. `finished`: number of those that earlier runs have rendered.
-    FilmProgress(std::size_t frames, std::size_t finished);
-    ~FilmProgress();
-    FilmProgress(const FilmProgress&) = delete;
-    FilmProgress& operator=(const FilmProgress&) = delete;
+    FilmProgress(std::size_t frames, std::size_t finished)
+        : frames_(static_cast<double>(frames)),
+          finished_(static_cast<double>(finished)),
+          bar_("film", {.start = start_, .share = finished_ / frames_, .lines = true})
+    {
+        if (finished > 0) say("film: {} of {} frames are already rendered\n", finished, frames);
+    }
 
-    // Adds a number of finished frames, rendered by this or another process. May be called from any thread.
-    void add(std::size_t frames);
+    // Adds a number of finished frames, rendered by this or another process.
+    void add(std::size_t frames)
+    {
+        drawn_ += static_cast<double>(frames);
+        const double done = finished_ + drawn_;
+        bar_.show(done / frames_, fmt::format("{:.0f} of {:.0f} frames, {:.2f} frames/s", done, frames_,
+                                              drawn_ / seconds_since(start_)));
+    }
 
 private:
-    void show();
-
-    std::mutex guard_;
-    std::size_t frames_, finished_, drawn_ = 0;
-    bool terminal_;
-    bool shown_ = false;
-    std::chrono::steady_clock::time_point start_, last_;
+    Clock::time_point start_ = Clock::now();
+    double frames_, finished_, drawn_ = 0;
+    ProgressBar bar_;
 };
 
 }  // namespace mandelmarch

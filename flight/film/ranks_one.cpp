@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "flight/film/ranks.h"
 
@@ -32,11 +33,8 @@ public:
 bool started_by_mpi()
 {
     // Set by Open MPI, by MPICH and its derivatives, and by PMIx (Slurm).
-    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
-        const char* value = std::getenv(name);
-        if (value != nullptr && *value != '\0') return true;
-    }
-    return false;
+    return !environment_variable("OMPI_COMM_WORLD_SIZE").empty() || !environment_variable("PMI_SIZE").empty() ||
+           !environment_variable("PMIX_RANK").empty();
 }
 
 std::unique_ptr<Ranks> one_rank() { return std::make_unique<OneRank>(); }

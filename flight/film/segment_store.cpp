@@ -130,7 +130,7 @@ void SegmentStore::finish(const std::string& part, const std::string& file) cons
 {
     const std::string path = folder_ + "/" + part;
     const std::string finished = folder_ + "/" + file;
-    // Flushed to disk before the renaming, so that a file with the final name is complete even after a power cut.
+    // Flush to disk before the renaming, so that a file with the final name is complete even after a power cut.
     const Descriptor written(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (written.number() < 0 || fsync(written.number()) != 0) {
         throw Error(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));

@@ -26,12 +26,8 @@ std::string stamp_text(const std::string& made_of, const std::string& bytes)
 
 void Digest::add(const void* data, std::size_t size)
 {
-    constexpr std::uint64_t prime = 0x100000001b3;
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; ++i) {
-        first_ = (first_ ^ bytes[i]) * prime;
-        second_ = (second_ ^ bytes[i]) * prime;
-    }
+    first_ = fnv1a(data, size, first_);
+    second_ = fnv1a(data, size, second_);
 }
 
 std::string Digest::text() const { return fmt::format("{:016x}{:016x}", first_, second_); }

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/hash.h"
+
 namespace mandelmarch {
 
 // A hash of 32 hexadecimal digits. It consists of two 64-bit FNV-1a hashes with different initial values.
@@ -16,7 +18,7 @@ public:
     std::string text() const;
 
 private:
-    std::uint64_t first_ = 0xcbf29ce484222325, second_ = 0x84222325cbf29ce4;
+    std::uint64_t first_ = fnv1a_start, second_ = 0x84222325cbf29ce4;
 };
 
 std::string digest(const std::string& text);
@@ -32,8 +34,8 @@ enum class FileState { missing, damaged, whole };
 // `made_of`: one line that identifies the file's inputs, such as the digest of their description.
 FileState state_of(const std::string& file, const std::string& made_of);
 
-// Writes the stamp of `file`, which need not exist yet. `bytes`: the digest of the file's content. Throws Error if the
-// stamp cannot be written.
+// Writes the stamp of `file`; the file itself need not exist yet. `bytes`: the digest of the file's content. Throws
+// Error if the stamp cannot be written.
 void write_note(const std::string& file, const std::string& made_of, const std::string& bytes);
 
 }  // namespace mandelmarch

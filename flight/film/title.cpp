@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string_view>
 
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 
@@ -214,8 +214,8 @@ Lettering lettering(const Font& font, const std::string& option, const std::stri
 
 std::string title_font()
 {
-    const char* named = std::getenv("MANDELMARCH_FONT");
-    if (named == nullptr || *named == '\0') return "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    const std::string named = environment_variable("MANDELMARCH_FONT");
+    if (named.empty()) return "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     return std::filesystem::absolute(named).string();
 }
 

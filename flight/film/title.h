@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The title, a few seconds before the flight over its first frame, and the largest letters in which it fits.
+// The title: a few seconds of text over the flight's first frame, before the flight, in the largest letters that fit.
 #pragma once
 
 #include <cstdint>

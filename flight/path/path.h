@@ -43,7 +43,7 @@ struct Path {
 };
 
 // Returns the scene of one frame for a picture of width x height pixels. If detail_by_size and the frame does not set a
-// detail level, the level is the decimal logarithm of the height of a pixel at distance 1.
+// detail level, the level is the decimal logarithm of the height of a pixel at distance 1, limited to -6 to -1.5.
 Scene scene_of(const Path& path, const Frame& frame, int width, int height);
 
 // Returns the scene of scene_of(), tuned for rendering if detail_by_size:
@@ -82,7 +82,7 @@ Frame rolled(Frame frame, double angle);
 // Returns how many frames at `from` frames per second cover the time of `frames` frames at `to` frames per second.
 int frames_at_rate(int frames, int from, int to);
 
-// Returns the flight of `path` as `frames` frames at `rate` frames per second. It must not last longer than the path.
+// Returns the flight of `path` as `frames` frames at `rate` frames per second. They must not last longer than the path.
 // The camera follows a cubic spline through the path's frames, so that its speed and acceleration are continuous. A
 // changing shape is interpolated linearly between two frames. Camera numbers are rounded as in a path file. If `rate`
 // is the path's rate, only the number of frames changes.

@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* format_name = "mandelmarch path 1";
-constexpr std::string_view original_estimate_name = "counted";  // of the original estimate, in path files
+constexpr std::string_view original_estimate_name = "counted";  // name of the original estimate in path files
 constexpr std::size_t most_frames = 10'000'000;                 // 92 hours at 30 frames per second
 constexpr const char* by_size = "by size";
 constexpr double usual_detail = -3;  // value of scene.detail if the detail level follows from the picture size
@@ -271,7 +271,8 @@ Path path_from_text(const std::string& text, const std::string& name)
         path.frames_per_second = whole.whole("frames_per_second", 1, most_frames_per_second);
     read_scene(whole.value("scene"), name + ": scene", path);
     const Json& frames = whole.value("frames");
-    if (!frames.is_array() || frames.empty()) whole.fail("\"frames\" is empty or no list, expected a list of cameras");
+    if (!frames.is_array() || frames.empty())
+        whole.fail("\"frames\" is empty or not a list, expected a list of cameras");
     if (frames.size() > most_frames) whole.fail("it has too many frames");
     path.frames.reserve(frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -8,7 +8,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double margin = 1.2;        // fractal sizes; half the edge of the cube that is filled with balls
-constexpr double cover_share = 0.95;  // the centre of a new ball must be this fraction of the radius from older centres
+constexpr double cover_share = 0.95;  // of an older ball's radius; new balls are centred farther away
 constexpr double overlap = 0.95;      // centres of linked balls are closer than this fraction of the sum of their radii
 
 }  // namespace

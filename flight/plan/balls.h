@@ -23,9 +23,10 @@ struct Link {
 
 class Balls {
 public:
-    // Fills a cube with balls whose clearance is at least `least`. The cube's half edge is 1.2 fractal sizes. Free
-    // space that is not connected with the outside is left out. Points inside the bounds whose clearance is at least
-    // `narrow` are collected as narrows(). `coarse`: number of coarse cells along an edge of the cube.
+    // Fills a cube with balls whose clearance is at least `least`. The cube's half edge is 1.2 fractal sizes. Some
+    // balls may not be connected with the outside; holding() does not return them. Points inside the bounds whose
+    // clearance is at least `narrow` are collected as narrows(). `coarse`: number of coarse cells along an edge of the
+    // cube.
     Balls(const DistanceField& field, double least, double narrow, int coarse = usual_coarse);
 
     static constexpr int usual_coarse = 64;

@@ -34,8 +34,7 @@ private:
 std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::span<const Vector> places,
                              std::span<const double> values, double end);
 
-// Panoramas at points along a curve. Each direction has a cost: it is high if a camera that
-// looks there sees little.
+// Panoramas at points along a curve. Each direction has a cost: it is high if a camera that looks there sees little.
 class Director {
 public:
     Director(const Shapes& shapes, const Curve& track);

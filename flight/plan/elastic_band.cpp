@@ -17,7 +17,7 @@ constexpr double freedom = 0.45;      // largest move of a point in one round, i
 constexpr double pin_freedom = 0.08;  // largest move of a pinned point, in the same unit
 constexpr double push = 0.15;         // move of a point away from the walls in one round, in clearances
 constexpr int rounds = 7;
-constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};  // relax() moves a point between the points this far away
+constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};  // points; relax() centres a point between the two this far away
 constexpr int sweeps = 12;                             // for each stride
 // For shapes that change in flight:
 constexpr double parts_a_step = 10;  // number of stages for a change of the shape by one step (see smooth())

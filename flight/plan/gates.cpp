@@ -223,7 +223,7 @@ private:
             std::array<double, 9> found{};
             for (std::size_t k = 0; k < 9; ++k) points[k] = at + 0.5 * clear * headings[k];
             field_.distances(points, found);
-            found[0] *= 1.02;  // prefers to go straight on
+            found[0] *= 1.02;  // prefer to go straight on
             const auto best = static_cast<std::size_t>(std::ranges::max_element(found) - found.begin());
             at = points[best];
             clear = best == 0 ? found[0] / 1.02 : found[best];

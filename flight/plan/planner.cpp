@@ -11,6 +11,7 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/motion.h"
+#include "flight/path/measures.h"
 #include "flight/plan/elastic_band.h"
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
@@ -45,7 +46,7 @@ public:
             const Budget& budget)
         : schedule_(schedule),
           shapes_(scene, schedule.number(), threads, &budget),
-          measures_(scene.fractal->flight.measures),
+          measures_(flight_measures(*scene.fractal)),
           seed_(seed),
           frames_(frames),
           size_(shapes_.field().bounds().size),
@@ -194,7 +195,7 @@ double faults(const Audit& audit)
     return sum;
 }
 
-// Throws InputError if the roadmaps have no free space or no gates.
+// Throws InputError if the roadmaps have no free space or, unless the shape changes, no gates.
 void check_roads(const RoadmapSet& atlas, const Scene& scene, const Schedule& schedule)
 {
     const auto fail = [&](const char* missing) {

@@ -26,8 +26,8 @@ using Log = std::function<void(const std::string&)>;
 // Returns a flight of `frames` frames that keeps every promise of docs/flight.md. During the flight, the scene's
 // fractal changes according to the schedule. The same seed gives the same path on any number of threads. `threads`: 0
 // for as many as the process may use. `most_seconds`: limit on the processor time; 0: a limit that grows with the
-// frames. Throws InputError if the shape cannot be flown through, if it has no free space or no gates, or if the limit
-// is exceeded. Throws Error if no tour is long enough, or none keeps the promises.
+// frames. Throws InputError if the shape cannot be flown through, if it has no free space or (unless it changes) no
+// gates, or if the limit is exceeded. Throws Error if no tour is long enough, or none keeps the promises.
 Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads,
           const Log& log = {}, double most_seconds = 0);
 

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/quantile.h"
 #include "core/scene/fractal.h"
+#include "flight/path/measures.h"
 #include "flight/plan/random.h"
 
 namespace mandelmarch {
@@ -43,9 +45,8 @@ double step_of_values(const Shapes& shapes, double low, double high)
             rates.push_back(std::abs((after[i] - before[i]) / little));
     }
     if (rates.empty()) return high - low;
-    const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
-    std::ranges::nth_element(rates, middle);
-    const double wanted = moved * field.scene().fractal->flight.measures.roads * size / std::max(*middle, 1e-12);
+    const double wanted =
+        moved * flight_measures(*field.scene().fractal).roads * size / std::max(upper_median(rates), 1e-12);
     return std::clamp(wanted, (high - low) / (most_values - 1), high - low);
 }
 
@@ -53,7 +54,7 @@ double step_of_values(const Shapes& shapes, double low, double high)
 
 Roadmap::Roadmap(const Scene& scene, const Effort& effort, const Roadmap* neighbour, int threads, const Budget* budget)
     : field(scene, threads, budget),
-      balls(field, scene.fractal->flight.measures.roads * field.bounds().size, narrow * field.bounds().size,
+      balls(field, flight_measures(*scene.fractal).roads * field.bounds().size, narrow * field.bounds().size,
             effort.coarse)
 {
     find(neighbour, effort.tries);
@@ -66,7 +67,7 @@ void Roadmap::find(const Roadmap* neighbour, int tries)
     if (neighbour != nullptr) {
         for (const Gate& gate : neighbour->gates) also.push_back({gate.centre, field.distance(gate.centre)});
     }
-    const FlightMeasures& measures = field.scene().fractal->flight.measures;
+    const FlightMeasures& measures = flight_measures(*field.scene().fractal);
     const double size = field.bounds().size;
     gates = find_gates(field, balls, {measures.gate_least * size, measures.gate_most * size, tries}, std::move(gates),
                        also);

@@ -37,8 +37,9 @@ public:
     }
 
     // Chooses the next gate among the closest ones, which are found by Dijkstra's search from a ball. Returns an empty
-    // entry if no gate is in reach. `clock`: the shape time at the ball, in frames. `done`: the points of the tour so
-    // far; the turn from them towards a gate adds to the gate's cost.
+    // entry if no gate is in reach. `clock`: when the tour reaches the ball, as a frame number of the schedule that
+    // changes the shape (shape time). `done`: the points of the tour so far; the turn from them towards a gate adds to
+    // the gate's cost.
     Entry next(Node from, double clock, std::span<const Vector> done, FlightRandom& random);
 
     // These functions return results of the last search:

@@ -10,7 +10,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double start_distance = 2.5;  // fractal sizes; distance of the tour's first point from the centre
-constexpr int most_refused = 60;        // discarded parts after which a tour ends; a stroll counts five times
+constexpr int most_refused = 60;        // discarded parts that end a tour; a Search::stroll() counts five times
 constexpr double dear_gate = 130;       // clearances with penalties; a stroll is preferred to a gate farther away
 
 class Guide {
@@ -81,8 +81,7 @@ private:
     }
 
     // Replaces `at` by a ball at the same place in the stretch of the current shape time, going from stretch to
-    // stretch.
-    // Returns false if the roadmap of one of them has no ball near the place.
+    // stretch. Returns false if the roadmap of one of them has no ball near the place.
     bool moved_on(Node& at) const
     {
         while (tour_.clock > search_.stretch(at.stretch).until) {

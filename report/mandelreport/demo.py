@@ -62,7 +62,7 @@ def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
 def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Returns the times of each precision and mode as fractions of the longest; the reference's times are too long for
     bars."""
-    timed = [row for row in rows if row["drawn"] and row["fine"] and row["said"] != "expected picture"]
+    timed = [row for row in rows if row["drawn"] and row["fine"] and row["backend"] != "reference"]
     longest = max((row["wall_seconds"] for row in timed), default=1.0)
     kinds = dict.fromkeys((row["precision"], row["mode"]) for row in timed)
     return [
@@ -90,7 +90,7 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
                 "pictures": pictures,
                 "choices": [(picture.name, label(row)) for picture in pictures for row in picture.rows],
                 "exact": [(row, next(p for p in pictures if row in p.rows)) for row in exact],
-                "expected": [row for row in rows if row["said"] == "expected picture"],
+                "expected": [row for row in rows if row["drawn"] and row["backend"] == "reference"],
                 "bars": bars_of(rows),
                 "failed": [row for row in rows if not row["fine"]],
                 "absent": [row for row in rows if not row["drawn"] and row["fine"]],

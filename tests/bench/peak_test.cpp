@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/harness/session.h"
+#include "bench/harness/peaks.h"
 
 namespace mandelmarch {
 namespace {

@@ -13,6 +13,7 @@
 #include "bench/judge/portability.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "made.h"
 
 namespace mandelmarch::bench {
@@ -138,8 +139,8 @@ TEST(Platform, FactsThatDifferMakeTwo)
 TEST(Platform, ItsCachesAreRead)
 {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::path(testing::TempDir()) / "bench_platform_test";
-    fs::remove_all(folder);
+    const TemporaryFolder made_folder;
+    const fs::path& folder = made_folder.path();
     const auto cache = [&](int index, const char* level, const char* type, const char* size) {
         const fs::path made = folder / ("index" + std::to_string(index));
         fs::create_directories(made);

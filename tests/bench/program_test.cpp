@@ -35,8 +35,8 @@ Ran run(Defect defect, std::vector<std::string> arguments)
     backends.push_back(make_openmp_backend());
     backends.push_back(std::make_unique<BrokenBackend>(defect));
     const Registry registry(std::move(backends));
-    const std::string file = testing::TempDir() + "bench_program_test.json";
-    std::remove(file.c_str());
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "result.json";
     arguments.insert(arguments.begin(), "bench");
     arguments.insert(arguments.end(), {"--json", file});
     std::vector<char*> argv;
@@ -104,6 +104,21 @@ TEST_P(BrokenPicture, ShowsNoSpeedAndExitsOne)
 INSTANTIATE_TEST_SUITE_P(Defects, BrokenPicture,
                          testing::Values(Defect::one_byte, Defect::not_a_number, Defect::upside_down,
                                          Defect::wrong_later, Defect::stale, Defect::dies_later));
+
+// The study demo has its own table, which shows the same failures.
+TEST(BenchProgram, TheDemoShowsWrongPictures)
+{
+    const std::vector<std::string> arguments{"--study", "demo", "--size", "32x32", "--repetitions", "1"};
+    const Ran sound = run(Defect::none, arguments);
+    EXPECT_EQ(sound.code, exit_success) << sound.err;
+    EXPECT_NE(sound.out.find("mandelbox   openmp-scalar "), std::string::npos) << sound.out;
+    EXPECT_EQ(sound.out.find("FAILED"), std::string::npos) << sound.out;
+    const Ran broken = run(Defect::one_byte, arguments);
+    EXPECT_EQ(broken.code, exit_failure);
+    EXPECT_NE(broken.out.find("mandelbox   broken        double    exact FAILED: the picture is wrong"),
+              std::string::npos)
+        << broken.out;
+}
 
 TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
 {

@@ -78,6 +78,7 @@ cmp out a.csv || fail "csv makes other lines than --csv"
 expect 2 "${quick[@]}" --json nosuch/x.json
 ! grep -q verif err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
+expect 2 "${quick[@]}" --json /tmp
 expect 2 "${quick[@]}" --json - --benchmark_format=csv
 expect 2 "${quick[@]}" --json x.json --csv x.json
 expect 2 "${quick[@]}" --json .
@@ -135,6 +136,8 @@ expect 0 "${quick[@]}" --study profile --repetitions 1 --wide
 grep -q march out || fail "no profile"
 expect 0 "${quick[@]}" --study box-vs-bulb --repetitions 1 --json study.json
 grep -q angles out || fail "no trigonometric Mandelbulb"
+expect 0 --size 32x32 --fractal box --study ladder --repetitions 2
+[ "$(grep -c "^mandelbox  *rung=" out)" = 7 ] && grep -q "all together" out || fail "the ladder has not seven rungs: $(cat out)"
 
 expect 0 random --scenes 3 --sets 1001,77 --json random.json
 grep -q ' of 6 ' out || fail "random has no line of six scenes"

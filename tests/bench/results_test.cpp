@@ -81,6 +81,26 @@ TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
     EXPECT_DOUBLE_EQ(previous[1]["ratio"]["max"], 4);
 }
 
+// Rungs differ in backend, precision and mode, unlike the values of a sweep (negative control).
+TEST(ResultFile, RungsOfALadderStandBesideTheOneBefore)
+{
+    std::vector<Row> rows{made_row("reference", {12, 12, 12, 12, 12, 12}), made_row("openmp", {6, 6, 6, 6, 6, 6}),
+                          made_row("openmp", {2, 2, 2, 2, 2, 2})};
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].sweep_value = "rung=" + std::to_string(i);
+    rows[0].precision = Precision::f64;
+    rows[2].mode = Mode::fast;
+    Result result = made_result(std::move(rows));
+    EXPECT_TRUE(result.questions.to_previous_value.empty());
+    result.study = ladder_study;
+    result = derived(std::move(result));
+    const auto& previous = result.questions.to_previous_value;
+    ASSERT_EQ(previous.size(), 2U);
+    EXPECT_DOUBLE_EQ(previous[0].ratio.median, 1.0 / 2);
+    EXPECT_DOUBLE_EQ(previous[1].ratio.median, 1.0 / 3);
+    const std::string text = to_console(result, false);
+    EXPECT_NE(text.find("mandelbox   all together                6.000 [6.000, 6.000]"), std::string::npos) << text;
+}
+
 // Each error is one line with the file, the place and the value.
 TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
 {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
-#include "bench/study/views.h"
 #include "core/base/error.h"
 #include "core/render/registry.h"
+#include "tests/scenes.h"
 
 namespace mandelmarch {
 namespace {
@@ -22,7 +22,7 @@ TEST(Timings, PartsAreApartAndWithinTheWallTime)
         for (int device = 0; device < static_cast<int>(found.devices.size()); ++device) {
             for (const Mode mode : {Mode::exact, Mode::fast}) {
                 for (const char* short_name : {"bulb", "box"}) {
-                    const Scene scene = bench::official_scene_of(short_name, 64, 48);
+                    const Scene scene = official_scene(short_name, 64, 48);
                     const Precision precision = backend->name() == "reference" ? Precision::f64 : Precision::f32;
                     const auto renderer =
                         backend->create({.device = device, .precision = precision, .mode = mode, .counts = false});

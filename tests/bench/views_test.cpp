@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Official, Views, testing::Values("bulb", "box"),
 // Negative control: close to a pole of the Mandelbulb the estimate is several times too large, and hits are noise.
 TEST(ViewsTwin, APoleIsNoScene)
 {
-    Scene scene = official_scene_of("bulb", side, side);
+    Scene scene = official_scene("bulb", side, side);
     scene.eye = {0.1061, -0.1069, -0.8585};
     scene.target = {-0.6317, 0.5252, -0.6216};
     scene.up = {0.5395, 0.7630, -0.3560};

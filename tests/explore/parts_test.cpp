@@ -18,6 +18,7 @@
 #include "apps/survey.h"
 #include "apps/explore/model/smooth.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
@@ -190,9 +191,8 @@ TEST(ExploreViews, WhatIsHandedOutReadsAsTheView)
 
 TEST(ExploreSettings, AreKeptAndWhatIsNoneIsSaid)
 {
-    const std::string folder = testing::TempDir() + "explore-settings";
-    std::filesystem::remove_all(folder);
-    const std::string file = folder + "/mandelmarch/explore.json";
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "mandelmarch/explore.json";
     Settings settings;
     settings.speed = 2;
     settings.setup = {"vulkan", 1, Precision::f64, Mode::exact};
@@ -205,7 +205,6 @@ TEST(ExploreSettings, AreKeptAndWhatIsNoneIsSaid)
     std::ofstream(file) << "{\"width\": \"wide\"}";
     EXPECT_EQ(read_settings(file, said).speed, 1);
     EXPECT_NE(said.find("no file of settings"), std::string::npos);
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -59,15 +59,12 @@ class DemoTest(unittest.TestCase):
 
     def page_of(self, change):
         """Returns the page for a changed demo.json."""
-        folder = tempfile.mkdtemp(dir=self.folder)
-        run(os.path.join(BIN, "demo"), "--folder", folder, "--side", str(SIDE))
-        path = os.path.join(folder, "demo.json")
-        with open(path, encoding="utf-8") as file:
-            table = json.load(file)
+        folder = Path(tempfile.mkdtemp(dir=self.folder))
+        run(os.path.join(BIN, "demo"), "--folder", folder, "--side", "16")
+        table = json.loads(text_of(folder / "demo.json"))
         change(table)
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(table, file)
-        page = os.path.join(folder, "page.html")
+        (folder / "demo.json").write_text(json.dumps(table), encoding="utf-8")
+        page = folder / "page.html"
         done = run("python3", "-m", "mandelreport.demo", "--folder", folder, "--programs", BIN, "--output", page,
                    PYTHONPATH="report", PYTHONDONTWRITEBYTECODE="1")
         return done, text_of(page)

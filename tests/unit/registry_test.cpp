@@ -51,7 +51,6 @@ BackendInfo all_facts()
             .threads = true,
             .simd_width = true,
             .chunk = true,
-            .variables = {"MADE"},
             .build = {"a compiler", "-exact", "-fast"}};
 }
 
@@ -59,7 +58,6 @@ void expect_all(const BackendInfo& info)
 {
     EXPECT_EQ(info.role, Role::accelerator);
     EXPECT_TRUE(info.has_driver && info.threads && info.simd_width && info.chunk);
-    EXPECT_EQ(info.variables, std::vector<std::string_view>{"MADE"});
     EXPECT_EQ(info.build.compiler, "a compiler");
     EXPECT_EQ(info.build.exact, "-exact");
     EXPECT_EQ(info.build.fast, "-fast");

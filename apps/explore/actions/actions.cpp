@@ -168,7 +168,7 @@ void step(Model& model, Desktop& /*desktop*/)
 void next_broken(Model& model, Desktop& /*desktop*/)
 {
     const auto frame = model.path_editor.next_broken();
-    if (!frame) throw Error("no broken promise or missed bar has a frame number");
+    if (!frame) throw Error("the audit names no frame with a broken promise or a missed threshold");
     model.path_editor.go_to(static_cast<double>(*frame));
     model.show_path();
     model.say(fmt::format("frame {}", *frame));
@@ -184,13 +184,13 @@ constexpr auto over_pictures = Action::Heeded::over_pictures;
 constexpr auto repeated = Action::Heeded::repeated;
 
 constexpr std::array table{
-    Action{"help", "F1", "this help", [](Model& m, Desktop&) { m.help = !m.help; }},
-    Action{"panel", "F2", "panel", [](Model& m, Desktop&) { m.settings.panel = !m.settings.panel; }},
+    Action{"help", "F1", "show or hide this help", [](Model& m, Desktop&) { m.help = !m.help; }},
+    Action{"panel", "F2", "show or hide the panel", [](Model& m, Desktop&) { m.settings.panel = !m.settings.panel; }},
     Action{"focus", "Escape", "go to the panel or back; arrow keys and Enter work there",
            [](Model& m, Desktop& d) {
                if (d.toggle_panel_focus()) m.settings.panel = true;
            }},
-    Action{"statistics", "F3", "statistics",
+    Action{"statistics", "F3", "show or hide statistics",
            [](Model& m, Desktop&) { m.settings.statistics = !m.settings.statistics; }},
     Action{"next-backend", "F4", "next backend or device", next_backend},
     Action{"next-precision", "F5", "float or double",
@@ -198,9 +198,9 @@ constexpr std::array table{
     Action{"next-mode", "F6", "exact or fast", [](Model& m, Desktop&) { use(m, with_other_mode(m.view.setup())); }},
     Action{"next-fractal", "F7", "next fractal", next_fractal},
     Action{"next-colouring", "F8", "next colouring type", next_colouring},
-    Action{"more-panes", "F9", "side by side: two, three, four, one", more_panes},
+    Action{"more-panes", "F9", "add a picture side by side, up to four, then only one", more_panes},
     Action{"next-pane", "F10", "next pane", [](Model& m, Desktop&) { m.view.choose(m.view.chosen() + 1); }},
-    Action{"marks", "M", "mark differing pixels or not",
+    Action{"marks", "M", "mark differing pixels, or do not",
            [](Model& m, Desktop&) {
                m.marks = !m.marks;
                m.view.changed();
@@ -215,19 +215,19 @@ constexpr std::array table{
     Action{"save-view", "Ctrl+S", "save the view as a parameter file", save_view},
     Action{"copy", "Ctrl+C", "copy the view's parameter file", copy_view},
     Action{"paste", "Ctrl+V", "show the view of the clipboard's parameter file", paste_view},
-    Action{"save-picture", "Ctrl+P", "save a picture, in the size set in the panel", save_picture},
+    Action{"save-picture", "Ctrl+P", "save a picture at the size set in the panel", save_picture},
     Action{"record", "Ctrl+R", "record a path, or end the recording", record},
     Action{"smooth", "Ctrl+L", "smooth the path", [](Model& m, Desktop&) { m.path_editor.smooth(); }},
     Action{"save-path", "Ctrl+D", "save the path", save_path},
     Action{"film", "Ctrl+M", "render a film of the path", film_path},
     Action{"plan-a-tour", "Ctrl+T", "plan a tour from the seed", plan_tour},
-    Action{"paths", "F12", "paths panel", [](Model& m, Desktop&) { m.paths = !m.paths; }},
+    Action{"paths", "F12", "show or hide the paths panel", [](Model& m, Desktop&) { m.paths = !m.paths; }},
     Action{"play-or-stop", "Space", "play the path, or stop", play, over_pictures},
     Action{"frame-back", ",", "one frame back", step<-1>, repeated},
     Action{"frame-forwards", ".", "one frame forwards", step<1>, repeated},
     Action{"second-back", "PageUp", "one second back", step<-30>, over_pictures},
     Action{"second-forwards", "PageDown", "one second forwards", step<30>, over_pictures},
-    Action{"next-broken", "N", "go to the next broken promise or missed bar", next_broken, over_pictures},
+    Action{"next-broken", "N", "go to the next broken promise or missed threshold", next_broken, over_pictures},
     Action{"camera-here", "K", "move the path's camera here",
            [](Model& m, Desktop&) { m.path_editor.put_camera(m.view.scene()); }, over_pictures},
     Action{"cut-before", "", "remove the path's frames before this one",

@@ -17,17 +17,18 @@ public:
     virtual std::string clipboard() const = 0;
     virtual void set_clipboard(const std::string& text) const = 0;  // throws Error
     virtual void toggle_full_screen() = 0;
-    // Moves the keyboard from the pictures to the panel or back. Returns true if the panel has it now.
+    // Moves the keyboard from the pictures to the panel or back. Returns true if the panel then has the keyboard.
     virtual bool toggle_panel_focus() = 0;
 };
 
 struct Action {
-    // anywhere: also while a panel has the keyboard. over_pictures: not then, because the key types a character or acts
-    // on panels. repeated: as over_pictures, and a key that is held performs its action repeatedly.
+    // When the key performs the action. anywhere: always. over_pictures: only while no panel has the keyboard, because
+    // in a panel the key types a character or controls an item. repeated: like over_pictures, and repeatedly while the
+    // key is held.
     enum class Heeded { anywhere, over_pictures, repeated };
 
     std::string_view name;  // in scripts; buttons show blanks in place of hyphens
-    std::string_view key;   // as SDL names it, such as "Ctrl+S"; empty: no key
+    std::string_view key;   // by SDL's name, such as "Ctrl+S"; empty: no key
     const char* help;
     void (*act)(Model& model, Desktop& desktop);
     Heeded heeded = Heeded::anywhere;

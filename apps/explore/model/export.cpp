@@ -101,10 +101,8 @@ void PictureTask::start(const Registry& registry, const Setup& setup, Scene scen
     scene.image_file = std::filesystem::path(name + ".png").filename().string();
     const std::uint64_t needed =
         Image::pixels(scene.width, scene.height) * Image::bytes_per_pixel(Image::Layers::bytes) + spare_memory;
-    if (needed > available_memory()) {
-        throw InputError(fmt::format("{} x {} pixels need {} MiB of memory and {} MiB are available", scene.width,
-                                     scene.height, needed >> 20, available_memory() >> 20));
-    }
+    const std::string lack = memory_shortage(fmt::format("{} x {} pixels", scene.width, scene.height), needed);
+    if (!lack.empty()) throw InputError(lack);
     OutputFile::check(name + ".png");
     const std::string text = view_text(scene);
     // The scene is read back, so that its numbers are rounded as in the file.

@@ -29,7 +29,8 @@ std::string command_of(const Scene& scene, const Setup& setup, const std::string
 std::string free_name(const std::string& folder, const std::string& stem);
 
 // Return the scene of a parameter file. The fractal is found by its name in the file's text or in the file's name; if
-// neither contains one, it is `hint`. Throw InputError with a message that begins with the file's name and line.
+// neither contains a fractal's name, it is `hint`. Throw InputError with a message that begins with the file's name and
+// line.
 Scene read_view(const std::string& file, const Fractal& hint);
 Scene view_of_text(const std::string& text, const std::string& name, const Fractal& hint);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model: what explore shows and edits. It knows neither the window nor its panels.
+// The model: the state that explore shows and edits. It does not depend on the window and its panels.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ namespace mandelmarch::explore {
 
 class Model {
 public:
-    // `folder`: for saved files, whose names explore chooses; empty: the current folder. The registry must outlive the
-    // process's threads.
+    // `folder`: the folder for saved files, whose names explore chooses; empty: the current folder. The registry must
+    // outlive the process's threads.
     Model(const Registry& registry, const Settings& settings, std::string folder, const Scene& scene);
 
     const Registry& registry;
@@ -49,7 +49,7 @@ public:
         }
     }
 
-    // Shows a scene, at which the camera rests.
+    // Shows a scene, and stops the camera and a playing path.
     void show(const Scene& scene);
     // Saves the current state for undo, then changes the view.
     void change(const Scene& scene);
@@ -65,8 +65,8 @@ public:
     }
     // Shows the messages of background work. Must be called regularly.
     void take_news();
-    // Returns one listing of devices per backend, in the registry's order. Empty until all are listed, which happens in
-    // the background, because drivers can be slow.
+    // Returns one listing of devices per backend, in the registry's order. A background task makes the listings,
+    // because drivers can be slow; the result is empty until all are made.
     const std::vector<Listing>& listings();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion of the camera that keys, mouse and game pad request, with collision.
+// Moves the camera as keys, mouse and game pad request. Walls can stop the camera.
 #pragma once
 
 #include <memory>

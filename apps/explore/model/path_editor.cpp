@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <set>
 
 #include "apps/explore/model/export.h"
@@ -196,10 +195,7 @@ std::optional<std::size_t> PathEditor::next_broken() const
 {
     std::set<std::size_t> named;
     for (const Row& row : rows_) {
-        // The text was made by at_frame(), such as "frame 12".
-        const std::size_t place = row.worst.find("frame ");
-        if (row.kept() || place == std::string::npos) continue;
-        named.insert(std::strtoull(row.worst.c_str() + place + 6, nullptr, 10));
+        if (!row.kept() && row.frame) named.insert(*row.frame);
     }
     if (named.empty()) return std::nullopt;
     const auto next =

@@ -43,11 +43,12 @@ public:
     // Remove the frames before and after the position.
     void cut_before();
     void cut_after();
-    // Moves the path's camera at the position to the scene's camera, and the cameras around it accordingly.
+    // Replaces the path's camera at the position by the scene's camera, and moves the cameras around it along (bent()
+    // in smooth.h).
     void put_camera(const Scene& scene);
 
-    // Plan a tour of the scene's fractal and render the path as a film, both in the background. take_news() reports the
-    // end.
+    // Start background work: plan() plans a tour of the scene's fractal, film() renders the path as a film. take_news()
+    // reports the end.
     void plan(const Scene& scene, std::uint64_t seed, int frames);
     void film(const Registry& registry, const Setup& setup, const std::string& file, int width, int height);
     bool planning() const { return planning_.running(); }
@@ -59,10 +60,10 @@ public:
     // Takes over the results of background work, and starts an audit in the background if the path has changed. Returns
     // a message for the user about a finished plan or film or about a failure, or "". Must be called regularly.
     std::string take_news();
-    // Returns the next frame after the position that the audit names for a broken promise or a missed threshold. If no
-    // such frame follows, returns the first one of the path; nullopt if there is none at all.
+    // Returns the next frame after the position that the audit names for a broken promise (hard limit) or a missed
+    // threshold. If no such frame follows, returns the first one of the path; nullopt if there is none.
     std::optional<std::size_t> next_broken() const;
-    // Requests an audit of all items, not only of promises. It takes seconds.
+    // Requests an audit of all items, not only of promises. The audit takes seconds.
     void audit_all()
     {
         whole_audit_ = true;

@@ -2,11 +2,11 @@
 #include "apps/explore/model/settings.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/environment.h"
 #include "core/base/output_file.h"
 #include "core/scene/scene.h"
 #include "core/image/image.h"
@@ -17,11 +17,10 @@ using Json = nlohmann::ordered_json;
 
 std::string settings_file()
 {
-    const char* config = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    const auto given = [](const char* text) { return text != nullptr && *text != '\0'; };
-    if (given(config)) return std::string(config) + "/mandelmarch/explore.json";
-    return given(home) ? std::string(home) + "/.config/mandelmarch/explore.json" : std::string();
+    const std::string config = environment_variable("XDG_CONFIG_HOME");
+    const std::string home = environment_variable("HOME");
+    if (!config.empty()) return config + "/mandelmarch/explore.json";
+    return home.empty() ? "" : home + "/.config/mandelmarch/explore.json";
 }
 
 Settings read_settings(const std::string& file, std::string& said)
@@ -45,7 +44,7 @@ Settings read_settings(const std::string& file, std::string& said)
         read.statistics = json.value("statistics", read.statistics);
         return read;
     } catch (const Json::exception&) {
-        said = file + ": it is no file of settings, the usual ones are taken";
+        said = file + ": it is no file of settings, so the defaults are used";
         return settings;
     }
 }

@@ -39,7 +39,7 @@ inline Setup with_other_mode(Setup setup)
     return setup;
 }
 
-// Returns the setup for a device of another backend. The reference backend begins in double.
+// Returns the setup for a device of another backend. The reference backend gets double, the only precision it supports.
 inline Setup with_device(const Setup& setup, const Backend& backend, int device)
 {
     return {std::string(backend.name()), device,

@@ -22,10 +22,10 @@ public:
     const Scene& scene() const { return now_.scene; }
     // Returns one setup per pane.
     const std::vector<Setup>& setups() const { return now_.setups; }
-    // The pane whose setup the user changes.
+    // Returns the index of the pane whose setup the user changes.
     std::size_t chosen() const { return chosen_; }
     const Setup& setup() const { return now_.setups.at(chosen_); }
-    // Returns a number that grows with each change. The panes are then rendered again.
+    // Returns a number that grows with each change. The panes are rendered again when it has grown.
     std::uint64_t version() const { return version_; }
 
     // Replaces the scene, except its size.

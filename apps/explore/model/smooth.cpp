@@ -8,12 +8,13 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/motion.h"
 #include "flight/field/field.h"
+#include "flight/path/measures.h"
 
 namespace mandelmarch::explore {
 namespace {
 
 constexpr double tremor = 9;        // frames; standard deviation of the smoothing Gaussian
-constexpr double room = 0.6;        // smallest clearance of a smoothed position, in clearances of the original one
+constexpr double room = 0.6;        // smallest clearance of a smoothed position, as a fraction of the original one's
 constexpr double most_step = 0.85;  // largest step between frames, as a fraction of the audit's limit
 constexpr double most_turn = 1.0;   // degrees per frame; largest turn. The audit's limit is 1.2
 constexpr int retimings = 4;        // number of passes that reduce steps and turns
@@ -74,7 +75,7 @@ std::vector<double> needed(const Path& path)
 {
     const std::vector<double> turns = turns_of(path);
     const DistanceField field(scene_of(path, path.frames.front(), 16, 9), 1);
-    const double bar = most_step * path.scene.fractal->flight.bars.step;
+    const double bar = most_step * flight_measures(*path.scene.fractal).limits.step;
     std::vector<double> frames(path.frames.size() - 1, 1);
     double before = field.distance(path.frames.front().eye);
     for (std::size_t i = 1; i < path.frames.size(); ++i) {

@@ -10,12 +10,12 @@ namespace mandelmarch::explore {
 // those of the closer frame.
 Frame between(const Frame& a, const Frame& b, double share);
 
-// Returns a smoothed path. A camera moves less if there is not enough room between walls. The flight becomes slower,
-// and the number of frames grows, at places at which a step or a turn would be close to the audit's limit.
+// Returns a smoothed path. A camera moves less if walls leave it too little room. Where a step or a turn would come
+// close to the audit's limit, frames are added, so that the flight is slower.
 Path smoothed(const Path& path);
 
-// Returns the path with the camera of `frame` at frame number `at`. The cameras of 45 frames on either side are moved
-// accordingly, less with growing distance.
+// Returns the path with the camera of `frame` at frame number `at`. The cameras of 45 frames on either side move along,
+// the less the farther they are.
 Path bent(Path path, std::size_t at, const Frame& frame);
 
 }  // namespace mandelmarch::explore

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A task in the background. It runs in a detached thread, which may be abandoned; its result is polled.
+// A task in the background. It runs in a detached thread, which may be abandoned. The caller polls for the result.
 #pragma once
 
 #include <chrono>
@@ -24,8 +24,8 @@ public:
 
     bool running() const { return result_.valid(); }
 
-    // Returns the result once after the task has ended. Returns nullopt while the task is running or if there is none;
-    // also if it has failed, and then sets `failure` to the error's message.
+    // Returns the result once after the task has ended. Returns nullopt while the task is running or if there is none.
+    // If the task has failed, returns nullopt and sets `failure` to the error's message.
     std::optional<Result> take(std::string& failure)
     {
         if (!running() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
@@ -41,7 +41,8 @@ private:
     std::future<Result> result_;
 };
 
-// Returns once the result of a task or, after `name`, the message of its failure. Returns "" at all other times.
+// Returns the result of a task or, after `name`, the message of its failure, once after the task has ended; otherwise
+// "".
 inline std::string news_of(Task<std::string>& task, const std::string& name)
 {
     std::string failure;

@@ -20,7 +20,7 @@
 namespace mandelmarch::explore {
 namespace {
 
-constexpr double spare = 0.0012;      // seconds of a frame kept free
+constexpr double spare = 0.0012;      // seconds of a frame that are kept free
 constexpr double patience = 1.5;      // frames to wait for a picture while moving
 constexpr double longest_step = 0.1;  // largest time step of the motion, seconds
 constexpr double kept = 10;           // seconds of intervals between frames
@@ -56,7 +56,7 @@ void Explorer::run(const std::function<void()>& before_frame)
     std::tie(settings.width, settings.height) = window_.size();
 }
 
-// Performs the action of a key. Returns false if the event is not the key of an action.
+// Performs the action of a key. Returns false if the event is not the key of an action, or if a panel uses the key.
 bool Explorer::take_key(const SDL_Event& event)
 {
     if (event.type != SDL_KEYDOWN) return false;
@@ -118,8 +118,8 @@ void Explorer::move(double seconds)
     }
     moving_ = false;
     model_.attempt([&] { moving_ = motion.move(scene, wish, seconds); });
-    // The view may come from a path. As soon as the user flies, settings for films and others that a parameter file
-    // cannot contain are reset.
+    // The view may come from a path. As soon as the user flies, the properties that a parameter file cannot contain,
+    // such as those of films, are reset.
     if (moving_) {
         as_file(scene);
         if (path_editor.recording()) path_editor.record(scene, seconds);

@@ -17,7 +17,8 @@ class Explorer {
 public:
     Explorer(Model& model, Window& window);
 
-    // Shows frames until the user quits. Calls `before_frame` before each frame. Then stores the settings in the model.
+    // Shows frames until the user quits. Calls `before_frame` before each frame. At the end, stores the settings in the
+    // model.
     void run(const std::function<void()>& before_frame);
 
     // Returns true if the camera rests and its picture is complete.
@@ -52,7 +53,7 @@ private:
     SDL_Rect area_{0, 0, 1, 1};  // part of the window for pictures
     std::uint64_t seen_ = 0;     // version of the view at whose eye `clearance_` was computed
     double clearance_ = 0;
-    double showing_ = 0.004;  // seconds per frame apart from rendering, averaged
+    double showing_ = 0.004;  // seconds of a frame that are not rendering, averaged
     Moment last_{}, presented_{}, due_{};
 };
 

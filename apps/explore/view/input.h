@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the user's input to motion: keys that are held down, the mouse and a game pad.
+// Converts the user's input (keys that are held down, the mouse and a game pad) to motion.
 #pragma once
 
 #include <SDL.h>

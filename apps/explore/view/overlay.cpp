@@ -19,7 +19,7 @@ constexpr float margin = 4;  // pixels
 
 // A column of lines of text, at most `width` pixels wide.
 struct Column {
-    float x, y, width;  // pixels; the left end, and the lower end of the lines above or the upper end of those below
+    float x, y, width;  // pixels; x: left edge; y: lower edge of the lines above or, upwards, upper edge of those below
 
     // Adds a line below y or, if `upwards`, above y. An empty text adds nothing.
     void add(const std::string& text, ImU32 colour, bool upwards = false)
@@ -96,9 +96,9 @@ void show_help(Model& model)
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::TextWrapped(
-        "W S forward and back, A D sideways, R F up and down, Q E roll, arrow keys or drag to turn, wheel for the "
-        "speed, which "
-        "follows the distance to the surface. A game pad: left stick, triggers, right stick, shoulder buttons.");
+        "W S: forwards and back; A D: sideways; R F: up and down; Q E: roll; arrow keys or dragging: turn; wheel: "
+        "speed, which is proportional to the distance to the surface. Game pad: the left stick and the triggers move; "
+        "the right stick and the shoulder buttons turn.");
     ImGui::Columns(2, nullptr, false);
     ImGui::SetColumnWidth(0, 9 * ImGui::GetFontSize());
     for (const Action& action : actions()) {

@@ -19,7 +19,7 @@ constexpr float width_in_letters = 44;   // width of the panel
 constexpr float most_of_window = 0.55F;  // largest fraction of the window's width for the panel
 constexpr float graph_height = 48;       // pixels
 
-// The items that edit the scene. Each shows a number of `scene`, which is a copy of the view's.
+// The items that edit the scene. Each shows a property of `scene`, which is a copy of the view's scene.
 class SceneItems {
 public:
     explicit SceneItems(Model& model) : scene(model.view.scene()), model_(model) {}
@@ -140,7 +140,7 @@ void device_list(Model& model)
     ImGui::EndCombo();
 }
 
-// Shows two radio buttons. `other`: the setup if the one that is off is chosen.
+// Shows two radio buttons. `other`: the setup to use if the user chooses the button that is off.
 void two_choices(Model& model, const char* first, const char* second, bool is_first, const Setup& other)
 {
     if (ImGui::RadioButton(first, is_first) && !is_first) model.change(other);

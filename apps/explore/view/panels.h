@@ -14,13 +14,13 @@
 namespace mandelmarch::explore {
 
 // Shows the panel at the left: view, fractal, backend, export. `intervals`: seconds between the window's last frames.
-// `focus`: moves the keyboard to the panel.
+// `focus`: true to move the keyboard to the panel.
 void show_panel(Model& model, Desktop& desktop, const std::deque<float>& intervals, float width, bool focus);
 
 // Returns that panel's width in a window of this width, both in pixels.
 float panel_width(int window_width);
 
-// Shows the path, its audit, and tours. `left`: the pixels that the other panel covers.
+// Shows the panel for paths, their audit and tours. `left`: width of the other panel, in pixels.
 void show_paths(Model& model, Desktop& desktop, float left);
 
 // Shows statistics and warnings over each picture, and messages. `area`: the part of the window for pictures.

@@ -189,7 +189,7 @@ std::string Panes::trouble() const
 {
     const RenderRequest* current = render_thread_.current();
     if (current == nullptr || render_thread_.silence() < long_silence) return {};
-    return fmt::format("{}: no sign of life for {:.0f} s; another backend can be chosen", name_of(current->setup),
+    return fmt::format("{}: no progress for {:.0f} s; you can choose another backend", name_of(current->setup),
                        render_thread_.silence());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Panes: up to four pictures of one view side by side. Each is rendered with its own setup, and the others are compared
+// Panes: up to four pictures of one view side by side. Each is rendered with its own setup. All others are compared
 // with the first one.
 #pragma once
 
@@ -15,7 +15,8 @@
 
 namespace mandelmarch::explore {
 
-inline constexpr std::array samples_at_rest{1, 2, 4};  // per pixel side, in the order of rendering
+// Samples per pixel side of the pictures at rest, in the order of rendering. Several panes use only the first number.
+inline constexpr std::array samples_at_rest{1, 2, 4};
 
 struct Pane {
     Setup setup;
@@ -23,7 +24,7 @@ struct Pane {
     Texture texture{nullptr, SDL_DestroyTexture};
     std::uint64_t view = 0;              // version of the view that the picture shows
     int samples = 0;                     // per pixel side; 0: rendered while the camera moved
-    double share = 0;                    // number of the picture's pixels divided by that of the pane
+    double share = 0;                    // pixels of the picture, as a fraction of the pane's
     Image whole;                         // the last picture at rest with one sample per pixel, for comparison
     std::uint64_t whole_view = 0;        // version of the view that `whole` shows
     std::optional<Comparison> compared;  // comparison of `whole` with that of the first pane
@@ -48,10 +49,10 @@ public:
     // Sets the view and its version. All panes are rendered again if the version is new. The scene's size is unused.
     // `marks`: pixels that differ from the first pane are marked.
     void set_view(const Scene& scene, std::uint64_t version, bool marks);
-    // Renders the missing pictures, at most until `until`. If `moving`, their size is such that all take `budget`
-    // seconds; else they have full size and, one after the other, all of samples_at_rest.
+    // Renders the missing pictures, at most until `until`. If `moving`, chooses their size so that all together take
+    // `budget` seconds. Otherwise renders each at full size, once for each number of samples_at_rest that applies.
     void work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
-    // True while a picture at rest is missing.
+    // Returns true while a picture at rest is missing.
     bool missing() const;
     // Returns a message if a device has not responded for three seconds, else "".
     std::string trouble() const;

@@ -22,7 +22,7 @@ void rows(const PathEditor& path_editor)
                                              row.kept()    ? "kept"
                                              : row.promise ? "BROKEN"
                                                            : "missed",
-                                             row.worst.empty() ? std::string() : fmt::format(", {}", row.worst));
+                                             row.worst().empty() ? "" : ", " + row.worst());
         const ImVec4 colour = row.kept() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : row.promise ? broken : missed;
         ImGui::PushStyleColor(ImGuiCol_Text, colour);
         ImGui::TextWrapped("%s", text.c_str());

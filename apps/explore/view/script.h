@@ -10,8 +10,8 @@
 
 namespace mandelmarch::explore {
 
-// Performs a script's lines until one must wait for the next frame. Must be called before each frame. At the end of the
-// script, makes explore quit.
+// Performs a script's lines up to one that must wait for the next frame. Must be called before each frame. Makes
+// explore quit at the end of the script.
 using Script = std::function<void(Model& model, Window& window, Explorer& explorer)>;
 
 // Reads a script. Throws InputError with a message that begins with `file:line: `.

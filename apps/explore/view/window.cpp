@@ -14,10 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <string_view>
 
+#include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/image/formats/image_file.h"
 
@@ -120,11 +120,8 @@ Window::Window(const std::string& title, int width, int height)
 {
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
     // Without a display, SDL would choose a video driver that shows nothing, and the program would run invisibly.
-    const auto named = [](const char* variable) {
-        const char* value = std::getenv(variable);
-        return value != nullptr && *value != '\0';
-    };
-    if (!named("DISPLAY") && !named("WAYLAND_DISPLAY") && !named("SDL_VIDEODRIVER")) {
+    if (environment_variable("DISPLAY").empty() && environment_variable("WAYLAND_DISPLAY").empty() &&
+        environment_variable("SDL_VIDEODRIVER").empty()) {
         throw Unavailable("no display: none of DISPLAY, WAYLAND_DISPLAY and SDL_VIDEODRIVER is set");
     }
     if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_GAMECONTROLLER) != 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window, by SDL. Dear ImGui draws the panels over the pictures.
+// The window, made with SDL. Dear ImGui draws the panels over the pictures.
 #pragma once
 
 #include <SDL.h>
@@ -33,8 +33,8 @@ public:
     bool waits() const { return waits_; }  // present() waits for the screen
 
     static void take(const SDL_Event& event);  // passes an event to the panels
-    void begin();                              // begins a frame: clears the window and begins ImGui's frame
-    void draw_panels();                        // ends ImGui's frame and draws its panels
+    void begin();                              // begins a frame: clears the window, and begins Dear ImGui's frame
+    void draw_panels();                        // ends Dear ImGui's frame, and draws the panels
     void present() const;
     // Writes the window's content as a PNG file. Must be called after draw_panels(). Throws Error if that fails.
     void shoot(const std::string& file) const;

@@ -232,7 +232,7 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
     // OpenEXR decodes a row of tiles or a block of lines at once.
     const auto lines = Imf::isTiled(version) ? header.tileDescription().ySize : largest_block;
     const std::uint64_t block = static_cast<std::uint64_t>(width) * lines * bytes;
-    // The decoded size is at most twice deflate's ratio; DWA may store one number per block of 8 x 8.
+    // A file decodes to at most 2 * deflate_ratio times its size; DWA may store one number for a block of 8 x 8 pixels.
     const auto packing = header.compression();
     const bool dwa = packing == Imf::DWAA_COMPRESSION || packing == Imf::DWAB_COMPRESSION;
     const std::uint64_t most = data.size() * 2 * deflate_ratio * (dwa ? 64 : 1);

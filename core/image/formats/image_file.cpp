@@ -114,11 +114,7 @@ void check_claim(const std::string& name, const Claim& claim)
         static_cast<std::uint64_t>(claim.width) * static_cast<std::uint64_t>(claim.height);  // below 2^32
     if (pixels * claim.pixel_bits / 8 > claim.most_bytes) refuse(name, "it is too small a file for " + size);
     const std::uint64_t needed = pixels * Image::bytes_per_pixel(claim.layers) + claim.decoder;
-    const std::uint64_t available = available_memory();
-    if (needed > available) {
-        refuse(name,
-               fmt::format("{} need {} MiB of memory and {} MiB are available", size, needed >> 20, available >> 20));
-    }
+    if (const std::string lack = memory_shortage(size, needed); !lack.empty()) refuse(name, lack);
 }
 
 Image read_image(const std::string& path)

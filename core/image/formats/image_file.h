@@ -37,11 +37,12 @@ void write_image(const std::string& path, ImageFormat format, const Image& image
 // Reads a picture. Its first bytes determine the format:
 // BMP: 24 or 32 bits per pixel, uncompressed, with any masks.
 // PNG: any kind, converted to 8 bits per channel. Transparent pixels are put on black. 16-bit values are displayed
-// values, like 8-bit ones, unless the file contains a curve.
+// values, like 8-bit ones, unless the file specifies a gamma curve.
 // PNM: grey or colour, as text or bytes.
 // EXR: a single part with the channels R, G and B, which are linear light; if the layer `displayed` exists, the colours
-// come from it. With a channel Z the image has all layers (steps and iterations are 0 if missing), without it
-// Layers::colours. Older files of this program have a channel `depth` instead of Z, and displayed values in R, G and B.
+// come from it. If the file has a channel Z, the image has all layers (steps and iterations are 0 if missing); if not,
+// it has Layers::colours. Older files of this program have a channel `depth` instead of Z, and displayed values in R, G
+// and B.
 // Throws InputError, with the path and the cause, for a file that ends early. Also throws, before decoding, if the
 // header claims more pixels than the file or the memory can hold.
 Image read_image(const std::string& path);

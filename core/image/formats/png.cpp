@@ -34,7 +34,7 @@ ssize_t write_to_sink(void* cookie, const char* data, std::size_t size)
     }
 }
 
-// Row stride for libpng, which begins with the top row; therefore negative.
+// Returns the row stride for libpng. It is negative, because libpng begins with the top row.
 png_int_32 row_stride(const Image& image) { return -3 * image.width(); }
 
 }  // namespace

@@ -86,7 +86,7 @@ FN vec3 box_outside(Scene scene, vec3 p, vec3 f) { return along(p, f, box_scale(
 FN real box_outside_k(Scene scene, real k) { return k * box_scale(scene) + 1; }
 
 // Computes the tail of an orbit: its last three or four iterations. The descriptor chooses the radius at which a tail
-// begins so that none of them needs a sphere fold, and only the last one an escape test.
+// begins so that, with rare exceptions, none of these iterations needs a sphere fold, and only one an escape test.
 FN BoxOrbit box_tail(Scene scene, vec3 p, mask on, BoxOrbit a)
 {
     BoxOrbit b;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude in C++ that counts the operations of one lane. Before including it, define MM_REAL, MM_REAL_IS_FLOAT and
-// MM_OPERATIONS, an expression for an object with the counters `sums`, `products`, `quotients` and `roots`. Include it
-// inside a namespace and before the kernel source; undefine.h removes its macros.
+// MM_OPERATIONS, an expression for an object with the counters `additions`, `multiplications`, `divisions` and
+// `square_roots`. Include it inside a namespace and before the kernel source; undefine.h removes its macros.
 //
 // An operation is a + b, a - b, a * b, quotient(a, b) or root(a), of numbers of the lane or of one such number and a
 // scene parameter. Operations on values that are the same in all lanes are not counted, nor are comparisons, picks,

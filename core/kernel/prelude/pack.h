@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude for packs of MM_REGISTERS native SIMD registers, written with Google Highway. The registers of a pack are
 // independent of each other, so the operations of one hide the latency of another's. Before including it, define
-// MM_REAL, MM_REAL_IS_FLOAT, MM_REGISTERS and MM_COUNTED (1: counts work, 0: does not). Include it inside a namespace
-// in HWY_NAMESPACE and before the kernel source.
+// MM_REAL, MM_REAL_IS_FLOAT, MM_FAST (1: fast mode, 0: exact), MM_REGISTERS and MM_COUNTED (1: counts work, 0: does
+// not). Include it inside a namespace in HWY_NAMESPACE and before the kernel source.
 
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Passes the scene by reference, to avoid a copy in each call of an estimator.
 #define MM_SCENE_BY_REFERENCE
 // With clang, inlining is not forced. clang then simplifies functions before it inlines them, and compiles in one half
-// (clang 14) to one eighth (clang 19) of the time. cmake/KernelVariants.cmake sets an inlining threshold with which the
+// (clang 14) to one eighth (clang 19) of the time. cmake/Kernels.cmake sets an inlining threshold with which the
 // same calls are inlined.
 #ifdef __clang__
 #define FN static inline HWY_MAYBE_UNUSED

@@ -20,7 +20,7 @@
 #endif
 
 // Both functions round to the nearest integer, ties to even. nvptx has an instruction for nearbyint, and x86 computes
-// rint with a short sequence of instructions; the respective other function would be a call.
+// rint with a few instructions; on either one, the other function would be a call.
 #if defined(_OPENACC) || defined(MM_OFFLOADED)
 #define MM_NEAREST(suffix) __builtin_nearbyint##suffix
 #else

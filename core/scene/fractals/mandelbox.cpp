@@ -32,11 +32,11 @@ std::string_view objection(const Scene& scene)
     return {};
 }
 
-// Returns the radius at which tails of three or four iterations begin; 0 if there are no tails. Outside this radius,
-// an iteration maps the folded point's radius r to |s| r, changed by the box fold by at most 2 |s| sqrt 3, and adds
-// p. The factor 0.96 was found by experiment: nearly all orbits escape in the third or fourth iteration from there.
-// They rarely return to the spheres of the sphere fold if r is about twice the fractal's extent, which the
-// coordinates of p exceed only a little. tests/unit/tail_test.cpp counts the exceptions.
+// Returns the radius at which tails (see Fractal::add_tail) of three or four iterations begin; 0 if there are no tails.
+// Outside this radius r, an iteration multiplies r by |s|, except for a change of at most 2 |s| sqrt 3 by the box fold,
+// and adds p. The factor 0.96 was found by experiment: nearly all orbits escape in the third or fourth iteration from
+// there. An orbit rarely returns to the spheres of the sphere fold if r is about twice the fractal's extent; the
+// coordinates of p exceed that extent only a little. tests/unit/tail_test.cpp counts the exceptions.
 double tail_radius(const Scene& scene)
 {
     const auto [scale, inner, fixed] = scene.shape;
@@ -135,25 +135,12 @@ void extreme_shape(Scene& scene, SceneRandom& chance)
     scene.escape = chance.one_in(3) ? chance.magnitude(1, 1e15) : 100;
 }
 
-constexpr std::array iterations{4, 8, 12, 18, 30, 60};
-
-// Of 600 random cameras close to the surface whose float and double pictures agree, the one with the most iterations in
-// fast mode at 270 x 270; selected by hand. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
-constexpr FractalStudy::CloseUp close_up{
-    {-3.9894, -6.8023, -3.3053}, {-4.1580, -5.8145, -3.6158}, {1.3852, 0.8119, 1.3542}};
-
-// The estimate is about 3.5 times too small. Free space therefore seems to be narrower than it is, which allows flights
-// that are faster relative to the estimated clearance.
-constexpr FlightMeasures measures{.roads = 0.005, .gate_least = 0.0036, .gate_most = 0.006, .pace = 0.24};
-constexpr FlightBars bars{.step = 0.25, .aside = 2, .passages = 8, .planning = 25};
-
 }  // namespace
 
 constexpr Fractal descriptors::mandelbox{
     .name = "mandelbox",
     .short_name = "box",
     .list_order = 2,
-    .in_default_study = true,
     .official = official,
     .shape = {ParameterInfo{"scale", -huge, huge, false, ParameterInfo::Slider{-3, 4, 0.05}},
               {"rMin", 0, huge, true, ParameterInfo::Slider{0.05, 1, 0.05}},
@@ -169,11 +156,8 @@ constexpr Fractal descriptors::mandelbox{
                .body = body,
                .representative = representative,
                .worth_searching = worth_searching,
-               .upward = upward,
-               .measures = measures,
-               .bars = bars},
+               .upward = upward},
     .random = {.extent = 4, .nearest = 3, .farthest = 14, .shape = random_shape, .extreme_shape = extreme_shape},
-    .study = {.iterations = iterations, .close_up = close_up, .off_in_float = 1},
 };
 
 }  // namespace mandelmarch

@@ -15,8 +15,8 @@ constexpr std::string_view official =
 #include "official/paramsBulb.dat"
     ;
 constexpr double low_power_stride = 0.4;
-// Fraction c of the envelope of the power map's stretch (core/kernel/fractals/mandelbulb.h), for the conservative
-// estimate. docs/notes/experiments.md explains the value.
+// Fraction c of the envelope in conservative_growth() (core/kernel/fractals/mandelbulb.h).
+// docs/notes/experiments.md explains the value.
 constexpr double envelope_share = 0.7;
 
 // The bailout radius is limited so that r^3P is finite, because gradients contain products of r^P and its derivative.
@@ -99,22 +99,12 @@ void extreme_shape(Scene& scene, SceneRandom& chance)
     scene.shape[2] = chance.one_in(3) ? 8 : chance.one_in(2) ? std::max(1.0, std::floor(power)) : power;
 }
 
-// Of 300 random cameras close to the surface and away from the poles, the one with the most iterations in fast mode at
-// 270 x 270; selected by hand. Not every place is suitable: docs/fast-mode.md, "What fast mode misses".
-constexpr FractalStudy::CloseUp close_up{
-    {-0.3174, 0.4074, 0.4757}, {0.9284, -0.7791, -0.2418}, {0.3966, 1.1637, -0.8952}};
-
-// With a power that is not an integer, the kernel computes z^P with trigonometric functions. The power differs so
-// little from the official one that the pictures are nearly equal.
-constexpr FractalStudy::Variant angles{"angles", {0, 0, 1e-5}};
-
 }  // namespace
 
 constexpr Fractal descriptors::mandelbulb{
     .name = "mandelbulb",
     .short_name = "bulb",
     .list_order = 1,
-    .in_default_study = true,
     .official = official,
     .shape = {ignored_number,
               {"bailout", 0, 1e6, true, ParameterInfo::Slider{1.5, 16, 0.5}},
@@ -133,8 +123,6 @@ constexpr Fractal descriptors::mandelbulb{
                .representative = representative,
                .worth_searching = worth_searching},
     .random = {.extent = 1.2, .nearest = 1.1, .farthest = 2.5, .shape = random_shape, .extreme_shape = extreme_shape},
-    // In some pixels the picture depends on the last bit of trigonometric functions.
-    .study = {.close_up = close_up, .variant = angles, .off_in_double = 0.01, .off_in_float = 0.1},
 };
 
 }  // namespace mandelmarch

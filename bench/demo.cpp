@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// demo: the study `demo` of bench as a program of its own, which builds in less time. Renders the official scenes on
+// every backend in both precisions and both modes, verifies the pictures, times them and prints a table. The exit code
+// is 1 if a picture is wrong or a device fails.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "backends/all.h"
+#include "bench/command/display.h"
+#include "bench/harness/verify.h"
+#include "bench/print/demo_table.h"
+#include "bench/result/figures.h"
+#include "cli/arguments.h"
+#include "cli/option_values.h"
+#include "core/base/cores.h"
+#include "core/base/cpu.h"
+#include "core/base/error.h"
+#include "core/base/output_file.h"
+#include "core/base/version.h"
+#include "core/image/formats/image_file.h"
+
+namespace {
+
+using namespace mandelmarch;
+using namespace mandelmarch::bench;
+
+// The output folder: pictures as PNG files, and the table as demo.json. The report's page is made from them.
+class Folder {
+public:
+    // Creates the folder if it does not exist. If `path` is empty, nothing is written. Throws Error if the folder
+    // cannot be created.
+    explicit Folder(std::string path) : path_(std::move(path))
+    {
+        if (path_.empty()) return;
+        std::error_code failure;
+        std::filesystem::create_directories(path_, failure);
+        if (failure) throw Error(fmt::format("{}: {}", path_, failure.message()));
+    }
+
+    void write_picture(const Row& row, const Image& image)
+    {
+        if (path_.empty()) return;
+        const std::string file =
+            fmt::format("{}-{}{}-{}-{}.png", row.fractal, row.backend, row.setting.simd_width == 1 ? "-1" : "",
+                        name_of(row.precision), name_of(row.mode));
+        write_image(fmt::format("{}/{}", path_, file), ImageFormat::png, image);
+        pictures_[row.name()] = file;
+    }
+
+    void write_table(const Result& result, int side) const
+    {
+        if (path_.empty()) return;
+        nlohmann::ordered_json json{
+            {"schema", 1},
+            {"version", project_version()},
+            {"revision", source_revision()},
+            {"cpu", cpu_name()},
+            {"threads", usable_threads()},
+            {"side", side},
+            {"repetitions", study_named(demo_study).most_rounds},
+        };
+        for (const Row& row : demo_rows(result)) {
+            const auto picture = pictures_.find(row.name());
+            json["rows"].push_back({
+                {"fractal", row.fractal},
+                {"backend", row.backend},
+                {"simd_width", row.setting.simd_width},
+                {"precision", name_of(row.precision)},
+                {"mode", name_of(row.mode)},
+                {"drawn", picture != pictures_.end()},
+                {"fine", !row.failed()},
+                {"said", remark(row)},
+                {"device", row.device_name},
+                {"wall_seconds", row.figures ? row.figures->wall.median : 0},
+                {"speed_up", speed_up(row)},
+                {"picture", picture != pictures_.end() ? picture->second : ""},
+            });
+        }
+        // A driver's name is not always valid UTF-8.
+        write_file(path_ + "/demo.json", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    }
+
+private:
+    std::string path_;
+    std::map<std::string, std::string> pictures_;  // file names, by the names of configurations
+};
+
+int body(int argc, char** argv)
+{
+    CLI::App app("demo: renders official scenes on every backend, compares the pictures and prints the times.");
+    app.set_version_flag("--version", version_line("demo"));
+    int side = 540;
+    std::string path;
+    app.add_option("--side", side, "side of the square pictures, in pixels")
+        ->check(whole(16, 4096))
+        ->capture_default_str();
+    app.add_option("--folder", path, "write the pictures and the table (demo.json) to this folder");
+    app.footer("Exit codes: 0 success, 1 a picture or a device failed, 2 bad input.");
+    if (const auto done = parse_arguments(app, "demo", argc, argv)) return *done;
+
+    const Registry registry = program_backends(argc, argv);
+    Options options;
+    options.study = &study_named(demo_study);
+    options.size = std::pair(side, side);
+    Folder folder(path);
+    Display display(false, "demo");
+    const Phase phase = [&](const Step& step) { display.show(step); };
+    std::vector<Case> cases = cases_of(registry, options);
+    std::vector<TimedCase> live = verified_cases(
+        cases, registry, phase, [&](const Row& row, const Image& image) { folder.write_picture(row, image); });
+    const Rules rules = rules_of(options);
+    keep_long_pictures(live, rules);
+    run_rounds(live, rules, phase);
+    display.finish();
+    Result result;
+    result.study = demo_study;
+    for (Case& one : cases) result.rows.push_back(std::move(one.row));
+    result = derived(std::move(result));
+    print(std::string_view(demo_table(result)));
+    folder.write_table(result, side);
+    return result.failed() ? exit_failure : exit_success;
+}
+
+}  // namespace
+
+int demo_main(int argc, char** argv) { return run_program("demo", body, argc, argv); }

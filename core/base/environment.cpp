@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/environment.h"
+
+#include <cstdlib>
+
+namespace mandelmarch {
+
+std::string environment_variable(VariableName name)
+{
+    const char* value = std::getenv(name.text);
+    return value != nullptr ? value : "";
+}
+
+std::map<std::string, std::string> recorded_variables()
+{
+    std::map<std::string, std::string> set;
+    for (const Variables& row : variables) {
+        for (const char* name : row.names) {
+            if (!row.recorded || name == nullptr) continue;
+            if (const char* value = std::getenv(name)) set.emplace(name, value);
+        }
+    }
+    return set;
+}
+
+std::string environment_help(std::string_view program)
+{
+    std::string text = "Environment variables (more in docs/environment.md):";
+    for (const Variables& row : variables) {
+        const bool reads = row.readers == "all programs" || row.readers.find(program) != std::string_view::npos;
+        if (!reads || !std::string_view(row.names[0]).starts_with("MANDELMARCH_")) continue;
+        text.append("\n  ").append(row.names[0]).append(": ").append(row.meaning);
+    }
+    return text;
+}
+
+}  // namespace mandelmarch
