@@ -132,13 +132,13 @@ flight-study: build ## plan and audit SEEDS=10 flights through both fractals, fo
 	@python3 tools/flight_study.py bin report/results --seeds $(SEEDS)
 
 kill-test: flythrough ## check that a film killed at twenty random moments resumes unchanged (10 min, estimated)
-	@bash tests/flight/resume_test.sh bin/flythrough 20
+	@bash tests/cases.sh tests/flight/plans_test.sh killed $(CURDIR)/bin $(CURDIR) 20
 
 SECONDS ?= 600
 fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
 	@tools/build asan fuzzers render
-	@bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS) \
-	    $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp))
+	@printf '%s\n' $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp)) | xargs -P "$$(nproc)" -n 1 \
+	    bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS)
 
 compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin

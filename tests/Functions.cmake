@@ -7,9 +7,9 @@ include(GoogleTest)
 set(bin ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
 set(source ${PROJECT_SOURCE_DIR})
 
-# mandelmarch_test(NAME [SLOW | WIDE] COMMAND WORD...): adds a test. Exit code 77: skipped.
+# mandelmarch_test(NAME [QUICK | SLOW | WIDE] COMMAND WORD...): adds a test. Exit code 77: skipped.
 function(mandelmarch_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 with "SLOW;WIDE" "" "COMMAND")
+    cmake_parse_arguments(PARSE_ARGV 1 with "QUICK;SLOW;WIDE" "" "COMMAND")
     add_test(NAME ${name} COMMAND ${with_COMMAND} COMMAND_EXPAND_LISTS)
     set_tests_properties(${name} PROPERTIES LABELS quick SKIP_RETURN_CODE 77 TIMEOUT 900)
     if(with_WIDE)
@@ -17,6 +17,25 @@ function(mandelmarch_test name)
     elseif(with_SLOW)
         set_tests_properties(${name} PROPERTIES LABELS slow COST 1)
     endif()
+endfunction()
+
+# mandelmarch_cases(NAME FILE [QUICK CASE...] [SLOW CASE...] [WIDE CASE...] [ARGUMENTS WORD...]): adds a test NAME.CASE
+# for each function test_CASE of a shell script of this folder, run by tests/cases.sh. All its functions must be listed.
+# Its arguments are the programs' folder and the source folder, if no others are given.
+function(mandelmarch_cases name file)
+    cmake_parse_arguments(PARSE_ARGV 2 with "" "" "QUICK;SLOW;WIDE;ARGUMENTS")
+    if(NOT DEFINED with_ARGUMENTS)
+        set(with_ARGUMENTS ${bin} ${source})
+    endif()
+    set(all ${with_QUICK} ${with_SLOW} ${with_WIDE})
+    list(JOIN all " " all)
+    foreach(label QUICK SLOW WIDE)
+        foreach(one ${with_${label}})
+            mandelmarch_test(${name}.${one} ${label} COMMAND bash ${source}/tests/cases.sh
+                ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${one} ${with_ARGUMENTS})
+            set_tests_properties(${name}.${one} PROPERTIES ENVIRONMENT "CASES=${all}")
+        endforeach()
+    endforeach()
 endfunction()
 
 # mandelmarch_script(NAME FILE [SLOW | WIDE] [ARGUMENTS WORD...]): adds a test that runs a script of this folder, a .sh or

@@ -3,14 +3,26 @@
 # assembler.
 add_subdirectory(openmp_parts)
 add_subdirectory(registration)
-mandelmarch_script(packaging.bundle packaging/bundle_test.sh WIDE ARGUMENTS ${PROJECT_BINARY_DIR} ${source})
-set_tests_properties(packaging.bundle PROPERTIES RESOURCE_LOCK build)
-set(simulation ${bin} ${source} ${CMAKE_CXX_COMPILER} ${Python3_EXECUTABLE})
-if(TARGET mandelmarch_cuda)
-    mandelmarch_script(cuda.simulated cuda/simulated_test.sh WIDE ARGUMENTS ${simulation})
+find_program(MANDELMARCH_PATCHELF patchelf)
+if(MANDELMARCH_PATCHELF OR DEFINED ENV{CI})
+    mandelmarch_cases(packaging packaging/bundle_test.sh WIDE bundle ARGUMENTS ${PROJECT_BINARY_DIR} ${source})
+    set_tests_properties(packaging.bundle PROPERTIES RESOURCE_LOCK build)
 endif()
+# Kernels on a simulated GPU, whose driver one test builds for the others.
+set(tests_of_openacc bands)
+set(tests_of_cuda block_sizes)
+foreach(backend openacc cuda)
+    if(TARGET mandelmarch_${backend})
+        set(others bits clock little_memory devices failures ${tests_of_${backend}})
+        set(gpu ${CMAKE_CURRENT_BINARY_DIR}/simulated_gpu/${backend})
+        mandelmarch_cases(${backend}.simulated ${backend}/simulated_test.sh WIDE driver ${others}
+            ARGUMENTS ${bin} ${source} ${gpu} ${CMAKE_CXX_COMPILER} ${Python3_EXECUTABLE})
+        set_tests_properties(${backend}.simulated.driver PROPERTIES FIXTURES_SETUP ${backend}_gpu)
+        list(TRANSFORM others PREPEND ${backend}.simulated.)
+        set_tests_properties(${others} PROPERTIES FIXTURES_REQUIRED ${backend}_gpu)
+    endif()
+endforeach()
 if(TARGET mandelmarch_openacc)
-    mandelmarch_script(openacc.simulated openacc/simulated_test.sh WIDE ARGUMENTS ${simulation})
     foreach(check text assemble)
         mandelmarch_script(openacc.ptx.${check} openacc/ptx_test.py WIDE
             ARGUMENTS ${check} $<TARGET_FILE:mandelbulb> ${MANDELMARCH_FRACTALS})
@@ -18,8 +30,9 @@ if(TARGET mandelmarch_openacc)
     endforeach()
 endif()
 if(TARGET mandelmarch_cuda AND TARGET mandelmarch_openacc AND TARGET mandelmarch_opencl AND TARGET mandelmarch_vulkan)
-    mandelmarch_script(packaging.gpu_check packaging/gpu_check_test.sh WIDE
-        ARGUMENTS ${PROJECT_BINARY_DIR} ${source} ${CMAKE_CXX_COMPILER} ${Python3_EXECUTABLE})
+    mandelmarch_cases(packaging packaging/gpu_check_test.sh WIDE gpu_check
+        ARGUMENTS ${bin} ${source} ${CMAKE_CURRENT_BINARY_DIR}/simulated_gpu/cuda ${Python3_EXECUTABLE})
+    set_tests_properties(packaging.gpu_check PROPERTIES FIXTURES_REQUIRED cuda_gpu)
 endif()
 mandelmarch_script(install.consumer siblings/consumer.sh WIDE ARGUMENTS ${PROJECT_BINARY_DIR})
 set_tests_properties(install.consumer PROPERTIES WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/siblings)
@@ -48,7 +61,9 @@ set_tests_properties(suite.asan PROPERTIES COST 4)
 foreach(name every_fractal_test equivalence_test)
     mandelmarch_test(suite.fractal.${name} WIDE COMMAND ${source}/build/fractal/bin/${name})
 endforeach()
-mandelmarch_script(suite.fractal.programs fractals/programs_test.sh WIDE
+set(programs render equivalence bench bench_random viewer flythrough)
+mandelmarch_cases(suite.fractal fractals/programs_test.sh WIDE ${programs}
     ARGUMENTS ${source}/build/fractal/bin ${CMAKE_CURRENT_SOURCE_DIR}/fractals)
-set_tests_properties(suite.fractal.every_fractal_test suite.fractal.equivalence_test suite.fractal.programs PROPERTIES
+list(TRANSFORM programs PREPEND suite.fractal.)
+set_tests_properties(suite.fractal.every_fractal_test suite.fractal.equivalence_test ${programs} PROPERTIES
     FIXTURES_REQUIRED fractal)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faults of a driver under test, selected by MANDELMARCH_MISCONDUCT: "STAGE ACTION", for example `build abort`. Stages:
-// load, enumeration, build, launch, map, release. Actions: abort, crash, exit, leave (without exit handlers), hang,
-// garbage, speak (print a line twice and continue).
+// load, enumeration, build, launch, map, release. Actions: abort, crash, exit, hang, garbage, speak (print a line
+// twice and continue).
 #pragma once
 
 #include <unistd.h>
@@ -29,7 +29,6 @@ inline bool driver_faults(std::string_view stage)
         *nothing = 0;
     }
     if (asked(stage, "exit")) std::exit(0);
-    if (asked(stage, "leave")) _exit(0);
     while (asked(stage, "hang")) pause();
     if (asked(stage, "speak")) std::fputs("the driver speaks\nthe driver speaks\n", stderr);
     return asked(stage, "garbage");

@@ -1,26 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sourced by tests of flythrough, which get its path as their first argument: goes to an empty folder.
-set -uo pipefail
-program=$(realpath "$1")
-. "$(dirname "$(realpath "${BASH_SOURCE[0]}")")/../failures.sh"
-cd "$folder" || exit 1
-# run CODE ARGUMENTS...: runs flythrough and expects this exit code. On failure it must print one line on stderr; with
-# codes 2 and 77 it must change no file.
-run() {
-    local code=$1 got before after
-    shift
-    before=$(find . -type f ! -name stderr ! -name stdout -printf '%p %s %T@\n' | sort)
-    timeout 600 "$program" "$@" >stdout 2>stderr </dev/null
-    got=$?
-    [ $got = "$code" ] || fail "exit code $got, expected $code: $* : $(head -c 300 stderr)"
-    [ "$code" = 0 ] && return
-    after=$(find . -type f ! -name stderr ! -name stdout -printf '%p %s %T@\n' | sort)
-    [ "$(wc -l <stderr)" = 1 ] || fail "$(wc -l <stderr) lines on stderr: $* : $(head -c 300 stderr)"
-    [ "$code" = 1 ] || [ "$before" = "$after" ] || fail "files changed: $*"
-}
-says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 500 stderr)"; }
-same() { cmp -s "$1" "$2" || fail "$1 is not $2: $3"; }
+# Sourced by cases of flythrough, which tests/cases.sh runs with BIN SOURCE.
+bin=$1
+source=$2
+program=$bin/flythrough
 small="--size 32x16 --samples 1 --backend openmp --threads 1"
+# run CODE ARGUMENT...: runs flythrough and checks its exit code, messages and files.
+run() { expect "$1" "$program" "${@:2}"; }
 # make_path FILE RATE STEP: writes a path of 64 frames, which are two segments: a straight flight next to the Mandelbulb
 # at a frame rate, with a step per frame.
 make_path() {
@@ -33,3 +18,6 @@ json.dump({"format": "mandelmarch path 1", "fractal": "mandelbulb", "frames_per_
           open(name, "w"))
 PY
 }
+make_path path.json 30 0.02
+# whole: renders the film with which others are compared.
+whole() { run 0 render path.json $small --output whole.mp4; }

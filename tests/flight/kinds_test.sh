@@ -1,100 +1,82 @@
-#!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# kinds_test.sh FLYTHROUGH: tests kinds of films: containers, frame rates, parts of a path, titles, tags for players,
-# and job arrays.
-. "$(dirname "$0")/films.sh"
+# Cases of flythrough: containers, frame rates, parts of a path, titles, tags for players, and job arrays.
+. "$(dirname "$script")/films.sh"
 # probe FILE ENTRIES: prints these entries of the film's stream.
 probe() { ffprobe -v error -select_streams v -count_frames -show_entries "stream=$2" -of csv=p=0 "$1"; }
 
-make_path path.json 30 0.02
-run 0 render path.json $small --output whole.mp4
-
 # The file extension selects the container. Each film has all of its frames, at the frame rate of the path.
-for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
-    film=kind.${kind%:*}
-    run 0 render path.json $small --frames 50-59 --output "$film"
-    got=$(probe "$film" codec_name,r_frame_rate,nb_read_frames)
-    # GIF times are in hundredths of a second.
-    [ "$got" = "${kind#*:},30/1,10" ] || [[ $got = gif,*,10 ]] || fail "$film has $got"
-    cp "$film" first
-    rm "$film" "$film.made"
-    run 0 render path.json $small --frames 50-59 --output "$film"
-    same "$film" first "the second time"
-done
-[ "$(head -c 4 kind.mkv | xxd -p)" = 1a45dfa3 ] || fail "kind.mkv is no Matroska file"
-[ "$(head -c 4 kind.gif)" = GIF8 ] || fail "kind.gif is no GIF"
-for name in film film.avi film.mp5 mp4; do
-    run 2 render path.json $small --output $name
-    says 'expected .mp4, .mkv, .webm or .gif'
-done
+test_containers() {
+    local kind film got name
+    for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
+        film=kind.${kind%:*}
+        run 0 render path.json $small --frames 50-59 --output "$film"
+        got=$(probe "$film" codec_name,r_frame_rate,nb_read_frames)
+        # GIF times are in hundredths of a second.
+        [ "$got" = "${kind#*:},30/1,10" ] || [[ $got = gif,*,10 ]] || fail "$film has $got"
+        cp "$film" first
+        rm "$film" "$film.made"
+        run 0 render path.json $small --frames 50-59 --output "$film"
+        same_file "$film" first "the second time"
+    done
+    [ "$(head -c 4 kind.mkv | xxd -p)" = 1a45dfa3 ] || fail "kind.mkv is no Matroska file"
+    [ "$(head -c 4 kind.gif)" = GIF8 ] || fail "kind.gif is no GIF"
+    for name in film film.avi film.mp5 mp4; do
+        run 2 render path.json $small --output $name
+        says 'expected .mp4, .mkv, .webm or .gif'
+    done
+}
 
-# Frame rates: films of paths at different rates, and paths that are planned at a rate.
-for rate in 24 25 50 60; do
-    make_path rate.json $rate 0.02
-    run 0 render rate.json $small --frames 0-1 --output rate.mp4 --title t
-    got=$(probe rate.mp4 r_frame_rate,nb_read_frames)
-    [ "$got" = "$rate/1,$((2 + 4 * rate))" ] || fail "a path of $rate frames a second gives $got"
-done
-run 2 render rate.json $small --output rate.gif
-says 'a GIF of 60 frames a second, expected at most 50'
-run 2 render rate.json $small --fps 24
-run 2 plan new.json --fps 0
-run 2 plan new.json --fps 29.97
-run 0 plan plan30.json --frames 60
-run 0 plan plan60.json --frames 120 --fps 60
-run 0 plan plan24.json --frames 48 --fps 24
-python3 - <<'PY' || fail "flights of other rates are no longer the same flight"
-import json, math
-thirty, sixty, slow = (json.load(open(f"plan{rate}.json")) for rate in (30, 60, 24))
-assert (sixty["frames_per_second"], slow["frames_per_second"]) == (60, 24)
-assert (len(sixty["frames"]), len(slow["frames"])) == (120, 48)
-# Only the first second is compared, as flights of different lengths differ in their last frames.
-step = math.dist(thirty["frames"][0]["location"], thirty["frames"][1]["location"])
-for i in range(30):
-    assert math.dist(sixty["frames"][2 * i]["location"], thirty["frames"][i]["location"]) < step, i
-for i in range(6):
-    assert math.dist(slow["frames"][4 * i]["location"], thirty["frames"][5 * i]["location"]) < step, i
-PY
+test_frame_rates() {
+    local rate got
+    for rate in 24 25 50 60; do
+        make_path rate.json $rate 0.02
+        run 0 render rate.json $small --frames 0-1 --output rate.mp4 --title t
+        got=$(probe rate.mp4 r_frame_rate,nb_read_frames)
+        [ "$got" = "$rate/1,$((2 + 4 * rate))" ] || fail "a path of $rate frames a second gives $got"
+    done
+    run 2 render rate.json $small --output rate.gif
+    says 'a GIF of 60 frames a second, expected at most 50'
+    run 2 render rate.json $small --fps 24
+}
 
 # Renders some frames of a path, as stills and as a film.
-run 0 render path.json $small --stills stills --frames 10-12
-[ "$(ls stills | grep -v made | tr '\n' ' ')" = "frame-000010.png frame-000011.png frame-000012.png " ] ||
-    fail "--frames 10-12 gives $(ls stills)"
-run 0 render path.json $small --stills all
-same stills/frame-000011.png all/frame-000011.png "a frame of --frames"
-run 0 render path.json $small --stills one --frames 63-63
-[ "$(ls one | grep -vc made)" = 1 ] || fail "--frames 63-63 gives $(ls one)"
-run 0 render path.json ${small} --output part.mkv --frames 30-33
-[ "$(probe part.mkv nb_read_frames)" = 4 ] || fail "a film of four frames has others"
-for range in 60-64 70-80 5-3 5 x; do
-    run 2 render path.json $small --output part.mp4 --frames $range
-done
-says 'expected A-B'
-run 2 audit path.json --frames 1-2
+test_parts_of_a_path() {
+    run 0 render path.json $small --stills stills --frames 10-12
+    [ "$(ls stills | grep -v made | tr '\n' ' ')" = "frame-000010.png frame-000011.png frame-000012.png " ] ||
+        fail "--frames 10-12 gives $(ls stills)"
+    run 0 render path.json $small --stills all
+    same_file stills/frame-000011.png all/frame-000011.png
+    run 0 render path.json $small --stills one --frames 63-63
+    [ "$(ls one | grep -vc made)" = 1 ] || fail "--frames 63-63 gives $(ls one)"
+    run 0 render path.json $small --output part.mkv --frames 30-33
+    [ "$(probe part.mkv nb_read_frames)" = 4 ] || fail "a film of four frames has others"
+    local range
+    for range in 60-64 70-80 5-3 5 x; do
+        run 2 render path.json $small --output part.mp4 --frames $range
+    done
+    says 'expected A-B'
+    run 2 audit path.json --frames 1-2
+}
 
-# The range of segments of an array's last task may go beyond the last segment.
-run 0 render path.json $small --output array.mp4 --segments 0-0
-run 0 render path.json $small --output array.mp4 --segments 1-9
-says '1 of 2 segments'
-run 0 render path.json $small --output array.mp4
-says '0 of 2 segments'
-same array.mp4 whole.mp4 "the film of an array that overhangs"
-run 0 render path.json $small --stills array --segments 1-9
-[ "$(ls array | grep -vc made)" = 4 ] || fail "stills of an array that overhangs: $(ls array)"
-run 2 render path.json $small --output array2.mp4 --segments 2-9
-says '2-9 given, expected some of 0-1'
-
-# If the store has segments that were made on another kind of machine, a message says so.
-MANDELMARCH_INSTRUCTIONS=SCALAR run 0 render path.json $small --output mixed.mp4 --segments 0-0
-run 0 render path.json $small --output mixed.mp4 --segments 1-1
-says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: 'SCALAR', here 'all of the machine'"
-if command -v mpirun >/dev/null && ldd "$program" | grep -q libmpi; then
-    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    timeout 60 mpirun --oversubscribe --bind-to none -n 1 "$program" render path.json $small --output mpi.mp4 : \
-        -n 1 -x MANDELMARCH_INSTRUCTIONS=SCALAR "$program" render path.json $small --output mpi.mp4 2>stderr
-    [ $? != 0 ] || fail "ranks of unlike instruction sets made a film"
-    says "rank 1 would render other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
-fi
+# Jobs of an array render different segments at the same time. The range of the last one may go beyond the last segment.
+test_job_arrays() {
+    whole
+    "$program" render path.json $small --output array.mp4 --segments 0-0 2>stderr0 &
+    "$program" render path.json $small --output array.mp4 --segments 1-9 2>stderr || fail "segments 1-9: $(cat stderr)"
+    wait $! || fail "segments 0-0: $(cat stderr0)"
+    says '1 of 2 segments.*not joined'
+    run 0 render path.json $small --output array.mp4
+    says '0 of 2 segments'
+    same_file array.mp4 whole.mp4
+    run 0 render path.json $small --stills array --segments 1-9
+    [ "$(ls array | grep -vc made)" = 4 ] || fail "stills of an array that overhangs: $(ls array)"
+    run 2 render path.json $small --output array2.mp4 --segments 2-9
+    says '2-9 given, expected some of 0-1'
+    # If the store has segments that were made on another kind of machine, a message says so.
+    MANDELMARCH_INSTRUCTIONS=SCALAR run 0 render path.json $small --output mixed.mp4 --segments 0-0
+    run 0 render path.json $small --output mixed.mp4 --segments 1-1
+    says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: 'SCALAR', here 'all of the machine'"
+}
 
 # Titles are complete, are shown once for each eye, and use letters of the font. white FILM WIDTH [eyes]: checks that
 # there is white text at 2 s, not at the picture's edges, and in the middle; with `eyes`, that it is the same in both
@@ -115,34 +97,41 @@ assert min(columns) > 0.02 * width and max(columns) < 0.98 * width, (min(columns
 assert abs(min(columns) + max(columns) - width) < 0.05 * width, "not in the middle"
 ' "$2" "${3:-}"
 }
-middle="--samples 1 --backend openmp --frames 0-1 --authors A.B.C."
-long="The Flight through the Mandelbulb of Gro"
-for case in "640x360" "180x320" "320x320"; do
-    run 0 render path.json $middle --size "$case" --output title.mp4 --title "$long"
-    white title.mp4 "${case%x*}" || fail "a long title at $case"
-done
-run 0 render path.json $middle --size 640x180 --stereo --output title.mp4 --title "Inside the Mandelbulb"
-white title.mp4 640 eyes || fail "a title for two eyes"
-run 2 render path.json $middle --size 640x360 --output none.mp4 --title $'\u5206\u5f62'
-says 'lacks .*U\+5206'
-run 2 render path.json $small --output none.mp4 --title t --authors $'\u674e'
-says '--authors: .*U\+674E'
-run 2 film $small --output none.mp4 --title "$(printf 'm%.0s' {1..3000})"
+test_titles() {
+    local size middle="--samples 1 --backend openmp --frames 0-1 --authors A.B.C."
+    for size in 640x360 180x320 320x320; do
+        run 0 render path.json $middle --size "$size" --output title.mp4 --title "The Flight through the Mandelbulb of Gro"
+        white title.mp4 "${size%x*}" || fail "a long title at $size"
+    done
+    run 0 render path.json $middle --size 640x180 --stereo --output title.mp4 --title "Inside the Mandelbulb"
+    white title.mp4 640 eyes || fail "a title for two eyes"
+    run 2 render path.json $middle --size 640x360 --output none.mp4 --title $'\u5206\u5f62'
+    says 'lacks .*U\+5206'
+    run 2 render path.json $small --output none.mp4 --title t --authors $'\u674e'
+    says '--authors: .*U\+674E'
+    run 2 film $small --output none.mp4 --title "$(printf 'm%.0s' {1..3000})"
+}
 
 # Films of all directions, or for two eyes, have the tags by which players recognise them.
 tags() { ffprobe -v error -show_entries stream_side_data_list "$1" | grep -E '^(projection|type|side_data_type)=' | tr '\n' ' '; }
-for kind in mp4 mkv webm; do
-    run 0 render path.json --backend openmp --size 64x32 --frames 0-1 --projection equirectangular --output sphere.$kind
-    tags sphere.$kind | grep -q 'projection=equirectangular' || fail "sphere.$kind is not tagged: $(tags sphere.$kind)"
-    run 0 render path.json $small --frames 0-1 --stereo --output eyes.$kind
-    tags eyes.$kind | grep -q 'type=side by side' || fail "eyes.$kind is not tagged: $(tags eyes.$kind)"
-done
-run 0 render path.json --backend openmp --size 256x64 --frames 0-1 --projection equirectangular --stereo --output both.mp4
-for tag in 'projection=equirectangular' 'type=side by side'; do
-    tags both.mp4 | grep -q "$tag" || fail "both.mp4 is not tagged: $(tags both.mp4)"
-done
-run 2 render path.json --size 128x64 --projection equirectangular --stereo --output none.mp4
-says '128 x 64 pixels given, expected 4 times as wide as high'
-grep -q sv3d sphere.mp4 || fail "sphere.mp4 has no box sv3d"
-[ -z "$(tags whole.mp4)" ] || fail "a usual film is tagged: $(tags whole.mp4)"
-finish
+tagged() {
+    local film=$1 tag
+    shift
+    for tag in "$@"; do tags "$film" | grep -q "$tag" || fail "$film is not tagged: $(tags "$film")"; done
+}
+test_tags() {
+    local kind sphere="--backend openmp --frames 0-1 --projection equirectangular"
+    for kind in mp4 mkv webm; do
+        run 0 render path.json $sphere --size 64x32 --output sphere.$kind
+        tagged sphere.$kind 'projection=equirectangular'
+        run 0 render path.json $small --frames 0-1 --stereo --output eyes.$kind
+        tagged eyes.$kind 'type=side by side'
+    done
+    run 0 render path.json $sphere --size 256x64 --stereo --output both.mp4
+    tagged both.mp4 'projection=equirectangular' 'type=side by side'
+    run 2 render path.json $sphere --size 128x64 --stereo --output none.mp4
+    says '128 x 64 pixels given, expected 4 times as wide as high'
+    grep -q sv3d sphere.mp4 || fail "sphere.mp4 has no box sv3d"
+    run 0 render path.json $small --frames 0-1 --output usual.mp4
+    [ -z "$(tags usual.mp4)" ] || fail "a usual film is tagged: $(tags usual.mp4)"
+}

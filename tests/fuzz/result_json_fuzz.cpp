@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -36,30 +35,14 @@ void collect(nlohmann::ordered_json& json, std::vector<nlohmann::ordered_json*>&
     for (auto& value : json) collect(value, values);
 }
 
-// Values that replace others.
-constexpr const char* odd[] = {"null",
-                               "true",
-                               "0",
-                               "1",
-                               "-1",
-                               "2",
-                               "7",
-                               "0.5",
-                               "1e-320",
-                               "1e9",
-                               "1e300",
-                               "99999999",
-                               "[]",
-                               "[1]",
-                               "{}",
-                               "\"\"",
-                               "\"float\"",
-                               "\"fast\"",
-                               "\"openmp\"",
-                               "\"reference\"",
-                               "\"all\"",
-                               "9007199254740993",
-                               "18446744073709551615"};
+// Returns a list of values that replace others.
+const nlohmann::ordered_json& odd_values()
+{
+    static const auto values = nlohmann::ordered_json::parse(
+        R"([null, true, 0, 1, -1, 2, 7, 0.5, 1e-320, 1e9, 1e300, 99999999, [], [1], {}, "", "float",
+    "fast", "openmp", "reference", "all", 9007199254740993, 18446744073709551615])");
+    return values;
+}
 
 void use(const Result& result)
 {
@@ -96,7 +79,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t 
     collect(json, values);
     const auto any = [&]() -> nlohmann::ordered_json& { return *values[random() % values.size()]; };
     if (random() % 4 != 0) {
-        any() = nlohmann::ordered_json::parse(odd[random() % std::size(odd)]);
+        any() = odd_values()[random() % odd_values().size()];
     } else if (auto& list = any(); list.is_array() && !list.empty()) {
         const auto first = list.front();
         list.push_back(first);

@@ -1,17 +1,26 @@
-#!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# program_test.sh BIN SOURCE: the programs without a GPU report that the host renders, and reject a missing GPU.
-# Pictures are tested in tests/models.
-set -uo pipefail
-backend=openacc bin=$1 source=$2
-. "$source/tests/openacc/simulated.sh"
+# Cases run by tests/cases.sh with BIN SOURCE: without a GPU the programs report that the host renders, and reject a
+# missing GPU. Pictures are tested in tests/models.
+bin=$1
+source=$2
 export CUDA_VISIBLE_DEVICES=  # hides any GPU
+bulb() { "$bin/mandelbulb" "$source/paramsBulb.dat" --size 60x40 --backend "$@"; }
 
-expect 0 1 '^backend openacc: runs on the host, one thread: no NVIDIA GPU' --output a.png --stats a.json
-grep -q '"name": "host, one thread: no NVIDIA GPU' a.json || fail "the result file does not name the host"
-grep -q '"is_gpu": false' a.json || fail "the result file calls the host a GPU"
-expect 77 1 'there is no device 1' --device 1 --output b.png
-[ -e b.png ] && fail "a picture from a device that is not there"
-backend=auto expect 0 1 '^backend openmp: openacc has no GPU' --output c.png --stats c.json
-grep -q '"backend": "openmp"' c.json || fail "auto took another backend than openmp"
-finish
+test_without_a_gpu() {
+    expect 0 bulb openacc --output a.png --stats a.json
+    says '^backend openacc: runs on the host, one thread: no NVIDIA GPU'
+    grep -q '"name": "host, one thread: no NVIDIA GPU' a.json || fail "the result file does not name the host"
+    grep -q '"is_gpu": false' a.json || fail "the result file calls the host a GPU"
+    expect 77 bulb openacc --device 1 --output b.png
+    says 'there is no device 1'
+    expect 0 bulb auto --output c.png --stats c.json
+    says '^backend openmp: openacc has no GPU'
+    grep -q '"backend": "openmp"' c.json || fail "auto took another backend than openmp"
+}
+
+# --device selects the device, not the library's variable.
+test_device_number() {
+    local number
+    for number in 0 1; do ACC_DEVICE_NUM=$number expect 0 bulb openacc --output $number.bmp; done
+    same_picture 0.bmp 1.bmp
+}

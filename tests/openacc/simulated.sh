@@ -1,57 +1,81 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sourced by the tests of openacc and cuda on a simulated GPU (simulated_cuda.c), which runs a program's PTX, translated
-# to C. Needs the variables backend, bin, source (the project's folder) and compiler. Goes to an empty folder with the
-# official parameter files.
-. "$source/tests/failures.sh"
-cp "$source"/params*.dat "$folder"
-cd "$folder"
+# Sourced by the cases of openacc and cuda on a simulated GPU (simulated_cuda.c), which runs a program's PTX, translated
+# to C; run by tests/cases.sh with BIN SOURCE GPU COMPILER PYTHON. GPU is the folder of the simulated driver, which the
+# case `driver` makes for the others. Needs the variables backend and wrote: the backend, and the compiler of its PTX.
+bin=$1
+source=$2
+gpu=$3
+compiler=$4
+python=$5
+cp "$source"/params*.dat .
 unset CUDA_VISIBLE_DEVICES
-
-# expect CODE LINES PATTERN ARGUMENT...: checks mandelbulb's exit code and stderr.
-expect() {
-    local code=$1 lines=$2 pattern=$3 got
-    shift 3
-    "$bin/mandelbulb" paramsBulb.dat --size 60x40 --backend "$backend" "$@" 2>stderr
-    got=$?
-    [ $got = "$code" ] || fail "exit code $got, expected $code: $*"
-    [ "$(grep -c . stderr)" = "$lines" ] || fail "$lines lines expected on stderr: $* : $(cat stderr)"
-    grep -q "$pattern" stderr || [ -z "$pattern" ] || fail "stderr does not say '$pattern': $(cat stderr)"
-}
-
+export LD_LIBRARY_PATH=$gpu
+# bulb OPTION...: renders on the GPU.
+bulb() { "$bin/mandelbulb" paramsBulb.dat --size 60x40 --backend $backend "$@"; }
+# seconds NAME: returns a time of a.json.
+seconds() { sed -n "s/.*\"$1\": \([0-9.e-]*\),\{0,1\}$/\1/p" a.json; }
 # driver FOLDER [SOURCE]: builds FOLDER/libcuda.so.1, by default the GPU that runs the kernels of FOLDER/kernels.h.
 driver() {
     "$compiler" -x c -std=gnu11 -O1 -ffp-contract=off -fno-math-errno -w -shared -fPIC -I"$1" \
         "${2:-$source/tests/openacc/simulated_cuda.c}" -lm -o "$1/libcuda.so.1"
 }
 
-# check_bits "FRACTAL FILE"...: in exact mode the PTX gives the scalar kernel's bits and does the same work, for these
-# scenes and two others. Leaves the last one's stats in gpu.json.
-check_bits() {
+# Several runs of this case may use the folder at once, so complete files are moved into it.
+test_driver() {
+    local new
+    mkdir -p "$gpu"
+    new=$(mktemp -d -p "$gpu")
+    "$python" "$source/tests/openacc/ptx_to_c.py" $wrote "$bin/mandelbulb" >"$new/kernels.h" || fail "translating the PTX"
+    driver "$new" || fail "building the driver"
+    mv "$new"/* "$gpu"
+    rmdir "$new"
+}
+
+# In exact mode the PTX gives the scalar kernel's bits and does the same work.
+test_bits() {
     local scene precision draw
     sed 's/^0 4.0 8.0/0 4.0 7.5/' paramsBulb.dat >power.dat
     sed 's/^2 0.5 1/-1.5 0.5 1/' paramsBox.dat >scale.dat
-    for scene in "bulb power.dat" "box scale.dat" "$@"; do
+    for scene in "bulb power.dat" "box scale.dat" "julia paramsJulia.dat" "bulb paramsBulb.dat" "box paramsBox.dat"; do
         for precision in float double; do
             draw="$bin/render --fractal $scene --size 170x131 --precision $precision"
-            $draw --backend "$backend" --output gpu.exr --stats gpu.json || fail "$draw"
-            $draw --backend openmp --simd-width 1 --output cpu.exr --stats cpu.json || fail "$draw"
-            "$bin/imgdiff" gpu.exr cpu.exr >difference || fail "the PTX draws other bits: $scene $precision: $(cat difference)"
+            expect 0 $draw --backend $backend --output gpu.exr --stats gpu.json
+            expect 0 $draw --backend openmp --simd-width 1 --output cpu.exr --stats cpu.json
+            same_picture gpu.exr cpu.exr
             [ "$(grep -A3 '"work"' gpu.json)" = "$(grep -A3 '"work"' cpu.json)" ] || fail "the PTX does other work: $scene"
         done
     done
     grep -q '"name": "Simulated K40 number 0"' gpu.json || fail "the result file does not name the GPU"
-    $draw --backend "$backend" --mode fast --output fast.exr || fail "fast mode"
-    "$bin/imgdiff" fast.exr cpu.exr >/dev/null && fail "fast mode has exact mode's bits"
+    [ $backend = openacc ] || [ "$(grep -c '"registers": 100,' gpu.json)" = 3 ] || fail "registers: $(cat gpu.json)"
+    expect 0 $draw --backend $backend --mode fast --output fast.exr
+    other_picture fast.exr cpu.exr
 
     # Negative control: a simulated GPU that rounds an addition differently.
     mkdir twin
     sed -E 's/^((r|fd)[0-9]+) = \(\(double\)((r|fd)[0-9]+)\) \+ \(\(double\)((r|fd)[0-9]+)\);/\1 = fma(\3, 1.0000000000000002, \5);/' \
-        kernels.h >twin/kernels.h
-    cmp -s kernels.h twin/kernels.h && fail "the twin is no twin"
+        "$gpu/kernels.h" >twin/kernels.h
+    cmp -s "$gpu/kernels.h" twin/kernels.h && fail "the twin is no twin"
     driver twin || fail "building the twin"
-    LD_LIBRARY_PATH=$folder/twin $draw --backend "$backend" --output twin.exr || fail "the twin does not draw"
-    "$bin/imgdiff" twin.exr cpu.exr >/dev/null && fail "the twin that rounds otherwise was not seen"
+    LD_LIBRARY_PATH=$PWD/twin expect 0 $draw --backend $backend --output twin.exr
+    other_picture twin.exr cpu.exr
 }
 
-# seconds NAME: returns a time of a.json.
-seconds() { sed -n "s/.*\"$1\": \([0-9.e-]*\),\{0,1\}$/\1/p" a.json; }
+# In the stats, `kernel` is the time by the GPU's clock, 3 s as each of three kernels takes a simulated second, and
+# `host` is the wall time around it.
+test_clock() {
+    expect 0 bulb --mode exact --output a.png --stats a.json
+    silent
+    [ "$(seconds kernel)" = 3.0 ] || fail "kernel is $(seconds kernel) s, not the GPU's 3"
+    [ "$(seconds host)" != 3.0 ] || fail "host is the GPU's time"
+    # Negative control: if the GPU has no clock, openacc's times are wall times.
+    [ $backend = cuda ] && return
+    SIMULATED_CLOCK=0 expect 0 bulb --mode exact --output a.png --stats a.json
+    [ "$(seconds kernel)" != 3.0 ] || fail "kernel is 3 s without a clock"
+}
+
+test_little_memory() {
+    SIMULATED_MEMORY=40000 expect 1 bulb --output b.png
+    says 'Simulated K40 number 0 has .* bytes of memory free'
+    [ -e b.png ] && fail "a picture from a GPU that failed"
+    SIMULATED_MEMORY=80000 expect 0 bulb --output c.png  # in many bands
+}

@@ -1,78 +1,76 @@
-#!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# gpu_check_test.sh BUILD SOURCE COMPILER PYTHON: packaging/gpu_check on a simulated GPU
-# (tests/openacc/simulated_cuda.c), PoCL and lavapipe, with small pictures. A broken backend, a step that hangs and
-# wrong bits must not stop other steps. Results are packed after each step, and tools/gpu_results.py makes a page from
-# them.
-set -uo pipefail
-source=$(realpath "$2")
-. "$source/tests/failures.sh"
-cp "$source"/params*.dat "$folder"
-mkdir "$folder/bin" "$folder/gpu-check" "$folder/read"
-for program in render bench flythrough imgdiff; do cp "$1/bin/$program" "$folder/bin"; done
-cp "$source"/packaging/gpu_* "$folder/gpu-check"
-cd "$folder"
-"$4" "$source/tests/openacc/ptx_to_c.py" nvcc bin/render >kernels.h || exit 1
-"$3" -x c -std=gnu11 -O1 -ffp-contract=off -fno-math-errno -w -shared -fPIC -I. "$source/tests/openacc/simulated_cuda.c" -lm -o libcuda.so.1 || exit 1
-export LD_LIBRARY_PATH=$folder SIMULATED_CAPABILITY=90 MANDELMARCH_REHEARSAL=1
-unset CUDA_VISIBLE_DEVICES
-export BACKENDS="cuda openacc opencl vulkan"
-printf '#!/bin/sh\nexec sleep 1000\n' >hanging
-chmod +x hanging
-check() { gpu-check/gpu_check "$@" >out 2>&1; }
-results() { tar -xOzf "$1/results.tgz" "results/$2"; }
+# Case run by tests/cases.sh with BIN SOURCE GPU PYTHON: packaging/gpu_check on a simulated GPU, whose driver is in GPU
+# (tests/openacc), PoCL and lavapipe, with small pictures. A broken backend, a step that hangs and wrong bits must not
+# stop other steps. Results are packed after each step, and tools/gpu_results.py makes a page from them.
+bin=$1
+source=$2
+gpu=$3
+python=$4
 
-# Runs the steps of gpu-quarter with the longer time limits of gpu-hour, as this machine may be busy. Two faults are
-# simulated: gcc's kernels do not link, and ffmpeg hangs.
-quarter="facts cuda acc-cold openacc t-cuda t-acc opencl vulkan ncu peak floor t-cl t-vk 4k 8k film random"
-SIMULATED_FAULT=link MANDELMARCH_FFMPEG=$folder/hanging SECONDS_OF_film=10 check --hour bin out-all $quarter
-[ $? = 1 ] || fail "with a broken backend the exit code is not 1: $(cat out)"
-for step in facts cuda opencl vulkan t-cuda t-cl t-vk peak floor 4k 8k random; do
-    grep -qE "^$step +passed" out-all/summary.txt || fail "$step: $(grep "^$step " out-all/summary.txt) $(results out-all $step.log | tail -5)"
-done
-grep -qE '^cuda +passed .*same bits in 6 pictures; 18 kernels, at most 100 registers' out-all/summary.txt || fail "cuda's bits: $(cat out)"
-grep -qE '^t-cuda +passed .*8 rows verified; ms: mandelb' out-all/summary.txt || fail "cuda's times: $(cat out)"
-grep -qE '^openacc +failed .*no GPU: .*last words: libgomp' out-all/summary.txt || fail "the broken backend: $(cat out)"
-grep -qE '^acc-cold +failed' out-all/summary.txt || fail "the broken backend's first start: $(cat out)"
-grep -qE '^film +late' out-all/summary.txt || fail "the step that hangs: $(cat out)"
-grep -qE '^omptarget|^standard' out-all/summary.txt && fail "a step that nobody asked for: $(cat out)"
-[ "$(ls out-all)" = "$(printf 'results.tgz\nsummary.txt')" ] || fail "what comes home: $(ls out-all)"
-results out-all driver-openacc.txt | grep -q 'libgomp: cuLinkComplete error' || fail "the driver's log lacks the failure"
-pgrep -f "$folder/hanging" >/dev/null && fail "a step at its limit leaves a process"
+test_gpu_check() {
+    cp "$source"/params*.dat .
+    mkdir bin gpu-check read
+    for program in render bench flythrough imgdiff; do cp "$bin/$program" bin; done
+    cp "$source"/packaging/gpu_* gpu-check
+    export LD_LIBRARY_PATH=$gpu SIMULATED_CAPABILITY=90 MANDELMARCH_REHEARSAL=1
+    unset CUDA_VISIBLE_DEVICES
+    export BACKENDS="cuda openacc opencl vulkan"
+    printf '#!/bin/sh\nexec sleep 1000\n' >hanging
+    chmod +x hanging
+    check() { gpu-check/gpu_check "$@" >out 2>&1; }
+    results() { tar -xOzf "$1/results.tgz" "results/$2"; }
 
-# The page that tools/gpu_results.py makes from the results.
-reader="$4 -B $source/tools/gpu_results.py"
-$reader out-all/results.tgz read >page || fail "the reader: $(cat page)"
-in=$(echo read/rehearsal-*)
-for words in '^- Same bits as the host: cuda, opencl, vulkan\.$' '^- openacc: no GPU: .*last words' '^- mandelbulb float fast: .*cuda [0-9.e+]* *.*vulkan' \
-    '^- Step film late' 'A rehearsal'; do
-    grep -qE "$words" "$in/README.md" || fail "the page lacks '$words': $(cat "$in/README.md")"
-done
-$reader out-all/results.tgz read >/dev/null && [ -e "$in-2/README.md" ] || fail "a second run is not kept beside the first"
-$reader bin/render read >page 2>&1 && fail "a file that is no result is read"
-[ "$(wc -l <page)" = 1 ] && grep -q 'expected the results.tgz of gpu_check' page || fail "of a file that is no result it says: $(cat page)"
-[ "$(ls -A read | wc -l)" = 2 ] || fail "the reader leaves $(ls -A read)"
+    # Runs the steps of gpu-quarter with the longer time limits of gpu-hour, as this machine may be busy. Two faults are
+    # simulated: gcc's kernels do not link, and ffmpeg hangs.
+    quarter="facts cuda acc-cold openacc t-cuda t-acc opencl vulkan ncu peak floor t-cl t-vk 4k 8k film random"
+    SIMULATED_FAULT=link MANDELMARCH_FFMPEG=$PWD/hanging SECONDS_OF_film=10 check --hour bin out-all $quarter
+    [ $? = 1 ] || fail "with a broken backend the exit code is not 1: $(cat out)"
+    for step in facts cuda opencl vulkan t-cuda t-cl t-vk peak floor 4k 8k random; do
+        grep -qE "^$step +passed" out-all/summary.txt || fail "$step: $(grep "^$step " out-all/summary.txt) $(results out-all $step.log | tail -5)"
+    done
+    grep -qE '^cuda +passed .*same bits in 6 pictures; 18 kernels, at most 100 registers' out-all/summary.txt || fail "cuda's bits: $(cat out)"
+    grep -qE '^t-cuda +passed .*8 rows verified; ms: mandelb' out-all/summary.txt || fail "cuda's times: $(cat out)"
+    grep -qE '^openacc +failed .*no GPU: .*last words: libgomp' out-all/summary.txt || fail "the broken backend: $(cat out)"
+    grep -qE '^acc-cold +failed' out-all/summary.txt || fail "the broken backend's first start: $(cat out)"
+    grep -qE '^film +late' out-all/summary.txt || fail "the step that hangs: $(cat out)"
+    grep -qE '^omptarget|^standard' out-all/summary.txt && fail "a step that nobody asked for: $(cat out)"
+    [ "$(ls out-all)" = "$(printf 'results.tgz\nsummary.txt')" ] || fail "what comes home: $(ls out-all)"
+    results out-all driver-openacc.txt | grep -q 'libgomp: cuLinkComplete error' || fail "the driver's log lacks the failure"
+    pgrep -f "$PWD/hanging" >/dev/null && fail "a step at its limit leaves a process"
 
-# Negative control: the expected hashes are changed, so that bits differ. Only the named steps run.
-sed -i 's/^./x/' gpu-check/gpu_check.sha256
-check bin out-bits cuda && fail "other bits are not seen"
-grep -qE '^cuda +failed .*OTHER BITS in 6 pictures' out-bits/summary.txt || fail "of other bits it says: $(cat out)"
-[ "$(wc -l <out-bits/summary.txt)" = 1 ] || fail "one step was asked for: $(cat out)"
-cp "$source"/packaging/gpu_check.sha256 gpu-check
+    # The page that tools/gpu_results.py makes from the results.
+    reader="$python -B $source/tools/gpu_results.py"
+    $reader out-all/results.tgz read >page || fail "the reader: $(cat page)"
+    in=$(echo read/rehearsal-*)
+    for words in '^- Same bits as the host: cuda, opencl, vulkan\.$' '^- openacc: no GPU: .*last words' '^- mandelbulb float fast: .*cuda [0-9.e+]* *.*vulkan' \
+        '^- Step film late' 'A rehearsal'; do
+        grep -qE "$words" "$in/README.md" || fail "the page lacks '$words': $(cat "$in/README.md")"
+    done
+    $reader out-all/results.tgz read >/dev/null && [ -e "$in-2/README.md" ] || fail "a second run is not kept beside the first"
+    $reader bin/render read >page 2>&1 && fail "a file that is no result is read"
+    [ "$(wc -l <page)" = 1 ] && grep -q 'expected the results.tgz of gpu_check' page || fail "of a file that is no result it says: $(cat page)"
+    [ "$(ls -A read | wc -l)" = 2 ] || fail "the reader leaves $(ls -A read)"
 
-# A second run executes only the steps that have not passed yet. If it is stopped, no process remains.
-BACKENDS=vulkan check --work kept bin out-kept facts vulkan || fail "two steps: $(cat out)"
-BACKENDS=vulkan gpu-check/gpu_check --work kept bin out-kept >out 2>&1 &
-for _ in $(seq 300); do grep -q '^t-vk' out && break; sleep 0.1; done
-kill $! && wait $!
-[ $? = 130 ] || fail "stopped, it ends with another exit code than 130"
-grep -q '^vulkan: done before' out || fail "it does not go on: $(cat out)"
-sleep 1
-pgrep -f "$folder/bin" >processes && fail "stopped, it leaves $(cat processes)"
+    # Negative control: the expected hashes are changed, so that bits differ. Only the named steps run.
+    sed -i 's/^./x/' gpu-check/gpu_check.sha256
+    check bin out-bits cuda && fail "other bits are not seen"
+    grep -qE '^cuda +failed .*OTHER BITS in 6 pictures' out-bits/summary.txt || fail "of other bits it says: $(cat out)"
+    [ "$(wc -l <out-bits/summary.txt)" = 1 ] || fail "one step was asked for: $(cat out)"
+    cp "$source"/packaging/gpu_check.sha256 gpu-check
 
-# Invalid arguments are reported in one line.
-check nothing out-none
-[ $? = 2 ] && [ "$(wc -l <out)" = 1 ] && grep -q 'nothing: no such file' out || fail "programs that are missing: $(cat out)"
-BACKENDS=nonsense check bin out-none
-[ $? = 2 ] && grep -q "'nonsense' given, expected some of" out || fail "an unknown backend: $(cat out)"
-finish
+    # A second run executes only the steps that have not passed yet. If it is stopped, no process remains.
+    BACKENDS=vulkan check --work kept bin out-kept facts vulkan || fail "two steps: $(cat out)"
+    BACKENDS=vulkan gpu-check/gpu_check --work kept bin out-kept >out 2>&1 &
+    for _ in $(seq 300); do grep -q '^t-vk' out && break; sleep 0.1; done
+    kill $! && wait $!
+    [ $? = 130 ] || fail "stopped, it ends with another exit code than 130"
+    grep -q '^vulkan: done before' out || fail "it does not go on: $(cat out)"
+    sleep 1
+    pgrep -f "$PWD/bin" >processes && fail "stopped, it leaves $(cat processes)"
+
+    # Invalid arguments are reported in one line.
+    check nothing out-none
+    [ $? = 2 ] && [ "$(wc -l <out)" = 1 ] && grep -q 'nothing: no such file' out || fail "programs that are missing: $(cat out)"
+    BACKENDS=nonsense check bin out-none
+    [ $? = 2 ] && grep -q "'nonsense' given, expected some of" out || fail "an unknown backend: $(cat out)"
+}

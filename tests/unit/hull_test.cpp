@@ -4,31 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "backends/all.h"
-#include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/hull.h"
 #include "tests/scenes.h"
+#include "tests/unit/kernels.h"
 #include "tests/unit/same_picture.h"
-
-// A copy of the kernel, to render with hulls that are too small.
-#define MM_REAL double
-#define MM_REAL_IS_FLOAT 0
-#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
-namespace box {
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
-}  // namespace box
-#undef MM_FRACTAL_FILE
-#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
-namespace bulb {
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
-}  // namespace bulb
 
 namespace mandelmarch {
 namespace {
@@ -57,10 +39,7 @@ TEST(Hull, ChangesNoBitOfRandomScenes)
 template <class KernelScene, class Draw>
 int changed(const Scene& scene, double share, Draw draw)
 {
-    const auto from = kernel_scene<layout_f64::Scene>(scene, Mode::exact);
-    KernelScene k;
-    static_assert(sizeof(k) == sizeof(from));
-    std::memcpy(&k, &from, sizeof(k));
+    const auto k = scene_for_kernel<KernelScene>(scene);
     KernelScene smaller = k;
     smaller.hull *= share;
     int count = 0;
@@ -72,14 +51,14 @@ int changed(const Scene& scene, double share, Draw draw)
 
 TEST(Hull, OneThatIsTooSmallChangesThem)
 {
-    const auto box_depth = [](const box::Scene& k, int i, int j) { return box::draw(k, i, j).depth; };
-    const auto bulb_depth = [](const bulb::Scene& k, int i, int j) { return bulb::draw(k, i, j).depth; };
+    const auto box_depth = [](const box64::Scene& k, int i, int j) { return box64::draw(k, i, j).depth; };
+    const auto bulb_depth = [](const bulb64::Scene& k, int i, int j) { return bulb64::draw(k, i, j).depth; };
     const Scene box_scene = official_scene("box", 100, 100);
     const Scene bulb_scene = official_scene("bulb", 100, 100);
-    EXPECT_EQ(changed<box::Scene>(box_scene, 1, box_depth), 0);
-    EXPECT_GT(changed<box::Scene>(box_scene, 0.9, box_depth), 0);
-    EXPECT_EQ(changed<bulb::Scene>(bulb_scene, 1, bulb_depth), 0);
-    EXPECT_GT(changed<bulb::Scene>(bulb_scene, 0.9, bulb_depth), 0);
+    EXPECT_EQ(changed<box64::Scene>(box_scene, 1, box_depth), 0);
+    EXPECT_GT(changed<box64::Scene>(box_scene, 0.9, box_depth), 0);
+    EXPECT_EQ(changed<bulb64::Scene>(bulb_scene, 1, bulb_depth), 0);
+    EXPECT_GT(changed<bulb64::Scene>(bulb_scene, 0.9, bulb_depth), 0);
 }
 
 TEST(Hull, IsLittleLargerThanTheSet)
@@ -117,17 +96,15 @@ TEST(Hull, IsAbsentWhereNothingIsProven)
 TEST(Hull, NoPointOutsideIsASurface)
 {
     const Scene scene = official_scene("box", 10, 10);
-    const auto from = kernel_scene<layout_f64::Scene>(scene, Mode::exact);
-    box::Scene k;
-    std::memcpy(&k, &from, sizeof(k));
+    const auto k = scene_for_kernel<box64::Scene>(scene);
     const double size = size_of(scene);
     for (int i = 0; i < 100'000; ++i) {
         // The points cover a whole face of the cube evenly.
         const double u = -1 + 2 * std::fmod(i * 0.618033988749895, 1);
         const double v = -1 + 2 * std::fmod(i * 0.754877666246693, 1);
-        const box::vec3 p{size, u * size, v * size};
+        const box64::vec3 p{size, u * size, v * size};
         const double t = std::sqrt(3.0) * size + 19;  // maximum distance from this camera
-        EXPECT_GT(box::estimate(k, p, true).distance, k.tolerance * t) << p.y << " " << p.z;
+        EXPECT_GT(box64::estimate(k, p, true).distance, k.tolerance * t) << p.y << " " << p.z;
     }
 }
 

@@ -3,51 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 
-#include "core/render/kernel_scene.h"
 #include "tests/scenes.h"
-
-// Compiles the kernel in double for every fractal, and in float for the Mandelbox. The estimators are not inlined,
-// which saves a minute of build time under sanitizers.
-#define MM_REAL double
-#define MM_REAL_IS_FLOAT 0
-#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
-namespace bulb64 {
-#define FN_CALLED inline
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
-}  // namespace bulb64
-#undef MM_FRACTAL_FILE
-#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
-namespace box64 {
-#define FN_CALLED inline
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
-}  // namespace box64
-#undef MM_FRACTAL_FILE
-#define MM_FRACTAL_FILE "core/kernel/fractals/julia.h"
-namespace julia64 {
-#define FN_CALLED inline
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
-}  // namespace julia64
-#undef MM_FRACTAL_FILE
-#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
-#undef MM_REAL
-#undef MM_REAL_IS_FLOAT
-#define MM_REAL float
-#define MM_REAL_IS_FLOAT 1
-namespace box32 {
-#define FN_CALLED inline
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
-}  // namespace box32
+#include "tests/unit/kernels.h"
 
 namespace mandelmarch {
 namespace {
@@ -100,16 +59,6 @@ TEST(ElementaryFunctions, WholePowers)
         EXPECT_NEAR(c.im, std::sin(n * std::atan2(0.8, 0.6)), 1e-13) << n;
     }
     EXPECT_EQ(bulb64::raised_real(3, 0), 1);
-}
-
-template <class KernelScene>
-KernelScene scene_for_kernel(const Scene& scene)
-{
-    const auto from = kernel_scene<layout_f64::Scene>(scene, Mode::exact);
-    static_assert(sizeof(KernelScene) == sizeof(from));
-    KernelScene to;
-    std::memcpy(&to, &from, sizeof(to));
-    return to;
 }
 
 struct Gradients {

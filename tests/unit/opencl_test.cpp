@@ -40,18 +40,6 @@ TEST_P(Opencl, VectorsDrawTheBitsOfTheScalarText)
     }
 }
 
-TEST_P(Opencl, BytesAloneAreThoseOfWholePictures)
-{
-    for (const auto& [name, scene] : scenes) {
-        const auto renderer = opencl.create({.precision = GetParam(), .counts = false});
-        Image all(scene.width, scene.height, Image::Layers::all);
-        Image bytes(scene.width, scene.height, Image::Layers::bytes);
-        renderer->render(scene, all);
-        renderer->render(scene, bytes);
-        EXPECT_EQ(bytes.bytes(), all.bytes()) << name;
-    }
-}
-
 // Negative control: another detail level moves the hits.
 TEST_P(Opencl, AnotherSceneHasOtherBits)
 {

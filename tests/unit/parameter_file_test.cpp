@@ -163,6 +163,8 @@ TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
         ASSERT_EQ(mixed.warnings.size(), 1U);
         EXPECT_NE(mixed.warnings[0].find("suit a mandelbox better than a mandelbulb"), std::string::npos);
     }
+    const std::string low_power = joined(with(bulb_lines, 7, "0 2 2.5"));
+    EXPECT_TRUE(parse_parameters(low_power, "x.dat", fractal_named("bulb")).warnings.empty());
     try {
         parse_parameters(fractal_named("bulb").official, "x.dat", fractal_named("box"));
         ADD_FAILURE() << "a Mandelbulb's file for the Mandelbox";

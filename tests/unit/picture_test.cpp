@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures are compared with those of the original program and of the reference, and float pictures with double ones.
+// Fast pictures of official scenes are tested in tests/equivalence.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -53,19 +54,6 @@ TEST_P(Picture, FloatIsCloseToDouble)
     const Image exact = render(openmp, scene, {});
     const Image single = render(openmp, scene, {.precision = Precision::f32});
     EXPECT_LE(share(compare(exact, single)), bulb ? 100U : 1000U);
-}
-
-TEST_P(Picture, FastIsCloseToTheCanonicalReference)
-{
-    const Scene small = official_scene(GetParam(), 120, 120);
-    const Image canonical = render(reference, small, {.mode = Mode::fast});
-    for (const Precision precision : {Precision::f64, Precision::f32}) {
-        const Comparison c = compare(canonical, render(openmp, small, {.precision = precision, .mode = Mode::fast}));
-        EXPECT_LE(share(c), 2000U) << name_of(precision);
-        EXPECT_LE(c.hit_or_miss, c.pixels * 2 / 10'000) << name_of(precision);
-    }
-    // Negative control: in exact mode, whose hits are not refined, the picture is another one.
-    EXPECT_GT(share(compare(canonical, render(openmp, small, {}))), 2000U);
 }
 
 TEST_P(Picture, MissesAreInfinitelyFarAndGrey)

@@ -4,31 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
-#include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "tests/scenes.h"
-
-#define MM_REAL double
-#define MM_REAL_IS_FLOAT 0
-#define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
-namespace tailed {
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
-}  // namespace tailed
+#include "tests/unit/kernels.h"
 
 namespace mandelmarch {
 namespace {
 
-tailed::Scene scene_of(const Scene& scene, bool tails)
+box64::Scene scene_of(const Scene& scene, bool tails)
 {
-    const auto laid_out = kernel_scene<layout_f64::Scene>(scene, Mode::fast, {.tail = tails});
-    tailed::Scene kernel;
-    static_assert(sizeof kernel == sizeof laid_out);
-    std::memcpy(&kernel, &laid_out, sizeof kernel);
-    return kernel;
+    return scene_for_kernel<box64::Scene>(scene, Mode::fast, {.tail = tails});
 }
 
 struct Difference {
@@ -38,21 +24,21 @@ struct Difference {
 };
 
 // Compares the estimates with and without tails at all samples of the rays of every eighth pixel in both directions.
-Difference difference(const Scene& scene, const tailed::Scene& with)
+Difference difference(const Scene& scene, const box64::Scene& with)
 {
-    const tailed::Scene without = scene_of(scene, false);
+    const box64::Scene without = scene_of(scene, false);
     Difference found;
     for (int y = 0; y < scene.height; y += 8) {
         for (int x = 0; x < scene.width; x += 8) {
-            tailed::Ray ray = tailed::begin(without, x, y);
-            while (tailed::marching(without, ray)) {
-                const tailed::vec3 p = tailed::point_at(without, ray, ray.t);
-                const tailed::Estimate a = tailed::estimate(without, p, true);
-                const tailed::Estimate b = tailed::estimate(with, p, true);
+            box64::Ray ray = box64::begin(without, x, y);
+            while (box64::marching(without, ray)) {
+                const box64::vec3 p = box64::point_at(without, ray, ray.t);
+                const box64::Estimate a = box64::estimate(without, p, true);
+                const box64::Estimate b = box64::estimate(with, p, true);
                 ++found.samples;
                 found.iterations += a.iterations != b.iterations;
                 found.distances += !(std::abs(a.distance - b.distance) <= 1e-9 * std::abs(a.distance));
-                ray = tailed::advance(without, ray, true);
+                ray = box64::advance(without, ray, true);
             }
         }
     }
@@ -64,8 +50,8 @@ TEST(Tails, LeaveEstimatesAsTheyAre)
     Difference all;
     for (const auto& [name, scene] : random_scenes(24, 2002)) {
         if (scene.fractal->short_name != "box") continue;
-        const tailed::Scene with = scene_of(scene, true);
-        if (tailed::box_tail_end(with) == 0) continue;
+        const box64::Scene with = scene_of(scene, true);
+        if (box64::box_tail_end(with) == 0) continue;
         const Difference found = difference(scene, with);
         EXPECT_LE(found.distances, found.samples / 30) << name;
         EXPECT_LE(found.iterations, found.samples / 30) << name;
@@ -89,7 +75,7 @@ TEST(Tails, WrongRadiiShow)
 {
     const Scene scene = official_scene("box", 270, 270);
     for (const double factor : {0.5, 2.0}) {
-        tailed::Scene with = scene_of(scene, true);
+        box64::Scene with = scene_of(scene, true);
         with.fractal[7] *= factor * factor;
         const Difference found = difference(scene, with);
         EXPECT_GT(found.distances, found.samples / 4) << factor;

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+# Cases of flythrough with planned flights, run by tests/cases.sh with BIN SOURCE [KILLS].
+. "$(dirname "$script")/films.sh"
+kills=${3:-3}
+
+# A film that is killed at random moments and resumed equals the undisturbed film, and no finished segment is rendered
+# twice.
+test_killed() {
+    local frames=330 hits=0 try job options="--size 64x36 --samples 1 --backend openmp --title Title --authors Authors"
+    # Many kills need a longer film.
+    [ "$kills" -gt 5 ] && frames=2400
+    run 0 plan path.json --frames $frames --seed 2
+    run 0 render path.json $options --output whole.mp4
+    says "$(((frames + 59) / 60)) of $(((frames + 59) / 60)) segments"
+    [ "$(ffmpeg -v error -i whole.mp4 -f framemd5 - | grep -vc '^#')" = $((frames + 120)) ] || fail "frames or title are missing"
+    # Kills flythrough at pseudo-random moments. If the film is complete before the kill, it is started again.
+    RANDOM=7
+    for ((try = 0; hits < kills && try < 10 * kills; ++try)); do
+        "$program" render path.json $options --output killed.mp4 2>/dev/null &
+        job=$!
+        sleep "$((RANDOM % 2)).$((RANDOM % 900 + 100))"
+        kill -9 $job 2>/dev/null && hits=$((hits + 1))
+        wait $job 2>/dev/null
+        if [ -e killed.mp4 ]; then
+            same_file killed.mp4 whole.mp4 "killed $hits times"
+            rm -f killed.mp4* before
+            continue
+        fi
+        ls -l --time-style=full-iso killed.mp4.parts/*/segment-* 2>/dev/null | awk '{print $5, $7, $9}' >now
+        # Finished segments must still exist, unchanged.
+        [ -e before ] && comm -23 <(sort before) <(sort now) | grep -q . && fail "a finished segment was made again: kill $hits"
+        mv now before
+    done
+    [ $hits = "$kills" ] || fail "only $hits of $kills kills met a running program"
+    run 0 render path.json $options --output killed.mp4
+    same_file killed.mp4 whole.mp4 "killed $kills times"
+}
+
+test_map_and_summary() {
+    run 0 plan path.json --frames 120 --seed 2 --map map.json
+    run 0 render path.json $small --output film.mp4 --summary summary.json
+    python3 - <<'PY' || fail "the map or the summary is not what it should be"
+import json
+path, found, film = (json.load(open(f"{name}.json")) for name in ("path", "map", "summary"))
+assert all(len(found[key]) == 120 for key in ("x", "y", "z", "clearance", "turn"))
+assert all(abs(found["x"][i] - path["frames"][i]["location"][0]) < 1e-3 for i in range(120))
+assert 0 < min(found["clearance"]) and max(found["turn"]) <= 1.2
+assert 0 < len(found["balls"]) <= found["ball_count"] and all(len(ball) == 4 for ball in found["balls"])
+assert film["frames"] == film["frames_rendered"] == 120 and film["backend"] == "openmp" and film["device"]["name"]
+assert abs(film["seconds_per_frame"] * 120 - film["seconds"]) < 1e-6
+PY
+}
+
+# A flight planned at another frame rate; rate_test.cpp tests that it is the same flight.
+test_rates() {
+    run 2 plan new.json --fps 0
+    run 2 plan new.json --fps 29.97
+    run 0 plan plan.json --frames 48 --fps 24
+    python3 -c 'import json; path = json.load(open("plan.json"))
+assert path["frames_per_second"] == 24 and len(path["frames"]) == 48' || fail "another rate"
+}
+
+# Shapes that cannot be flown through are refused before planning, whatever input they come from. changing_test.cpp has
+# more of them.
+test_refused_shapes() {
+    sed "s/^2 0.5 1$/0.5 0.5 1/" "$source/paramsBox.dat" >box.dat
+    sed "s/^0 4.0 8.0$/0 4.0 1.2/" "$source/paramsBulb.dat" >bulb.dat
+    run 2 plan --frames 120 --fractal box --params box.dat --output new.json
+    says "box.dat: a mandelbox with scale 0.5 cannot be flown through, expected another scale"
+    run 2 plan --frames 120 --fractal box --scale -0.5 --output new.json
+    says "^--scale: '-0.5': .*cannot be flown through"
+    run 2 film --frames 120 --fractal box --scale 2:0.9 --output new.mp4
+    run 2 film --frames 120 --fractal box --params box.dat --output new.mp4
+    run 2 plan --frames 120 --params bulb.dat --output new.json
+    says "a mandelbulb with power 1.2 cannot be flown through, expected another power, 8, say"
+    run 2 plan --frames 120 --power 8:1.1 --output new.json
+    # A number on the command line replaces that of the parameter file.
+    run 0 plan --frames 120 --params bulb.dat --power 8
+    # If a Mandelbox's file is read as a Mandelbulb's, there is a warning about the file before the shape is refused.
+    "$program" plan --frames 120 --params "$source/paramsBox.dat" --output new.json >stdout 2>stderr
+    [ $? = 2 ] || fail "paramsBox.dat for a Mandelbulb: $(cat stderr)"
+    says 'warning: these comments suit a mandelbox'
+    says 'with power 1 cannot be flown through'
+}
+
+# If no flight is found, the message says what is missing and what helps, in the same words for every seed.
+test_no_flight() {
+    for seed in 1 2; do
+        timeout 100 "$program" plan --fractal julia --params "$source/paramsJulia.dat" --frames 120 --seed $seed \
+            --output new.json >stdout 2>stderr
+        [ $? = 2 ] || fail "a Julia set: $(tail -1 stderr)"
+        says 'this julia has no .*; another seed does not help, expected another shape'
+    done
+}
