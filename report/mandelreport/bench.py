@@ -183,9 +183,12 @@ class Bench:
         entry = self.ratio("to_first_value", row.name)
         return Times.of(entry["ratio"]) if entry else None
 
-    def host_wins(self) -> bool:
-        others = self.ratios("others_to_host")
-        return bool(others) and all(entry["ratio"]["median"] > 1 for entry in others)
+    def fastest(self) -> list[Row]:
+        """Returns a standard study's fastest row of each fractal, precision and mode."""
+        return [self.named(contest["fastest"]) for contest in self.data["winners"]]
+
+    def wins(self, backend: str) -> bool:
+        return all(row.backend == backend for row in self.fastest())
 
     def values(self, key: str) -> list[str]:
         """Returns the distinct values of a field among the timed rows, in the file's order."""

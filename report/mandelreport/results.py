@@ -51,6 +51,8 @@ def read_bench(name: str, path: Path, data: dict[str, Any]) -> Bench:
     if data.get("version") != VERSION:
         said = f"{name}: version {data.get('version')} of a result, expected {VERSION}"
         raise InputError(f"{said}; run `bench json OLD.json > NEW.json`")
+    if data.get("study") == "standard" and "winners" not in data:
+        raise InputError(f"{name}: an older build's result, without winners; run `bench json OLD.json > NEW.json`")
     return Bench(name, path, checked(name, data, "result"))
 
 

@@ -19,6 +19,7 @@ from typing import Any
 
 FRACTALS = ("mandelbulb", "mandelbox")
 NUMBER = r"\d[\d,]*(?:\.\d+)?"
+MARGIN = 1.02  # smaller ratios count as the same
 T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462, 2.30600, 2.26216), 1))
 
 
@@ -49,7 +50,8 @@ class Times:
         half = T_95[len(logs) - 1] * statistics.stdev(logs) / math.sqrt(len(logs))
         mean = statistics.mean(logs)
         self.value = value
-        self.p = 1 if mean <= 0 else two_sided(T_95[len(logs) - 1] * mean / half, len(logs) - 1)  # if the true value is 1
+        beyond = mean - math.log(MARGIN)
+        self.p = 1 if beyond <= 0 else two_sided(T_95[len(logs) - 1] * beyond / half, len(logs) - 1)  # if the true value is MARGIN
         self.ends = (min(math.exp(mean - half), value), max(math.exp(mean + half), value))
 
     def numbers(self, scale: float = 1) -> list[float]:
@@ -125,7 +127,7 @@ def comparisons(file: File) -> dict[str, Times]:
 
 
 def decided(times: list[Times]) -> int:
-    """Returns how many of the values are significantly above 1, with Holm's correction."""
+    """Returns how many of the values are significantly above MARGIN, with Holm's correction."""
     p_values = sorted(one.p for one in times)
     return next((k for k, p in enumerate(p_values) if p > 0.05 / (len(p_values) - k)), len(p_values))
 
@@ -217,7 +219,7 @@ def other_files(folder: Path) -> list[tuple[str, list[float]]]:
 
 def box_or_bulb(precision: str, mode: str, times: Times) -> tuple[str, list[float]]:
     low, high = times.ends
-    same = 1 / 1.02 <= low and high <= 1.02
+    same = 1 / MARGIN <= low and high <= MARGIN
     said = "the same within # %" if same else "it is slower" if low > 1 else "it is faster" if high < 1 else "undecided"
     return f"In {precision} and {mode} mode the Mandelbox takes ~ times as long: {said}.", times.numbers() + [2.0] * same
 

@@ -18,6 +18,7 @@ def stored(name: str) -> Any:
 BENCH = stored("bench.json")
 ROW = next(row for row in BENCH["rows"] if row["backend"] == "openmp")
 COUNT = next(count for count in BENCH["counts"] if count["precision"] == "double")
+RIVAL = BENCH["winners"][0]["rivals"][0]
 QUESTIONS = ("mandelbox_to_mandelbulb", "double_to_float", "others_to_host", "to_first_value", "to_previous_value")
 
 
@@ -115,8 +116,16 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
             "rows": made,
             "questions": {question: [ratio] if question == "mandelbox_to_mandelbulb" else [] for question in QUESTIONS},
             "portability": [application],
+            "winners": winners(made) if study == "standard" else [],
         }
     )
+
+
+def winners(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    found: dict[str, list[dict[str, Any]]] = {}
+    for one in sorted((row for row in rows if row["figures"]), key=lambda row: row["figures"]["kernel_seconds"]["median"]):
+        found.setdefault("/".join(one["name"].split("/")[:3]), []).append(one)
+    return [{"fastest": first["name"], "rivals": [RIVAL | {"name": one["name"]} for one in others]} for first, *others in found.values()]
 
 
 def with_scalar() -> dict[str, Any]:
