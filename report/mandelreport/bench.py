@@ -18,25 +18,21 @@ class Times:
     """Seconds, or a ratio of them: the median and its 95 % interval, which is None below six samples."""
 
     median: float
-    low: float | None
-    high: float | None
-    count: int
+    interval: list[float] | None
+    count: int = 0
 
     @staticmethod
     def of(summary: dict[str, Any]) -> Times:
-        low, high = summary["interval"] or (None, None)
-        return Times(summary["median"], low, high, summary["count"])
+        return Times(summary["median"], summary["interval"], summary["count"])
 
     def inverse(self) -> Times:
         """Returns the inverse of a ratio."""
-        low, high = (None if end is None else 1 / end for end in (self.high, self.low))
-        return Times(1 / self.median, low, high, self.count)
+        return Times(1 / self.median, self.interval and [1 / end for end in self.interval[::-1]], self.count)
 
     def errors(self) -> tuple[float, float]:
         """Returns the lengths of an error bar downwards and upwards; 0 without an interval."""
-        if self.low is None or self.high is None:
-            return (0.0, 0.0)
-        return (max(0.0, self.median - self.low), max(0.0, self.high - self.median))
+        low, high = self.interval or (self.median, self.median)
+        return (max(0.0, self.median - low), max(0.0, high - self.median))
 
 
 @dataclass(frozen=True)

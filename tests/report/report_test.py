@@ -24,9 +24,9 @@ import made_programs  # noqa: E402
 from mandelreport import flight  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
-from mandelreport.bench import SAME_PEAK  # noqa: E402
+from mandelreport.bench import SAME_PEAK, Bench  # noqa: E402
 from mandelreport.page import APPENDIX, MAIN  # noqa: E402
-from mandelreport.results import read_bench, read_results  # noqa: E402
+from mandelreport.results import read_results  # noqa: E402
 from mandelreport.sections import gpu  # noqa: E402
 
 
@@ -160,7 +160,7 @@ class ReportTest(unittest.TestCase):
             self.assertNotEqual(Faults(broken).found, [], broken)
 
     def test_figures_without_the_salt_differ(self) -> None:
-        bench = read_bench("made", Path("made"), made.with_scalar())
+        bench = Bench("made", Path("made"), made.with_scalar())
         backends = Backends.of(bench.environment["backends"])
         self.assertEqual(timings.over_scalar(bench, backends), timings.over_scalar(bench, backends))
         with mock.patch.dict(style.SETTINGS, {"svg.hashsalt": None}):
@@ -195,7 +195,7 @@ class ReportTest(unittest.TestCase):
         data = made.with_scalar()
         data["environment"]["backends"] += [{**data["environment"]["backends"][0], "name": "skeleton", "role": ""}]
         data["rows"] += [made.row("mandelbulb", "float", "exact", "skeleton", 0.01)]
-        bench = read_bench("made", Path("made"), data)
+        bench = Bench("made", Path("made"), data)
         registered = bench.environment["backends"]
         figure = timings.over_scalar(bench, Backends.of(registered))
         self.assertIn("skeleton", str(figure.alt))
@@ -330,7 +330,7 @@ class ReportTest(unittest.TestCase):
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # matplotlib warns if a logarithmic axis loses points
-            self.assertIsNotNone(sweeps.sweep(read_bench("made", Path("made"), study), "D", "ms", "caption"))
+            self.assertIsNotNone(sweeps.sweep(Bench("made", Path("made"), study), "D", "ms", "caption"))
 
     def test_film_of_a_log(self) -> None:
         log = (

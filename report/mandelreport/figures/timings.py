@@ -27,7 +27,7 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
     said = []
     for row in rows:
         value = 1 if row.sweep_value == SCALAR else row.figures["over_scalar"]
-        times = Times(value, *(row.figures["over_scalar_interval"] or (None, None)), 1).inverse()
+        times = Times(value, row.figures["over_scalar_interval"]).inverse()
         axis = axes[modes.index(row.mode)][fractals.index(row.fractal)]
         at = names.index(label(row)) + (-0.15 if row.precision == "double" else 0.15)
         low, high = times.errors()

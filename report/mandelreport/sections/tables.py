@@ -15,7 +15,7 @@ from ..figures import portability
 from ..models import label
 from ..portability import measured, platforms
 from ..results import checked
-from ..text import digits, ms, percent
+from ..text import digits, ms, percent, with_interval
 from . import Material
 from .why import factor_table
 
@@ -24,19 +24,15 @@ def time_cell(row: Row | None) -> str:
     """Formats the kernel time and its interval in ms."""
     if row is None or not row.timed:
         return "–"
-    times = row.kernel
-    interval = "" if times.low is None or times.high is None else f" [{ms(times.low)} – {ms(times.high)}]"
-    return ms(times.median) + interval
+    return with_interval(row.kernel.median, row.kernel.interval, ms)
 
 
 def quotient_cell(row: Row, key: str) -> str:
     """Formats a speed-up and its interval; no interval for a baseline compared with itself."""
-    value, interval = row.figures[key], row.figures[f"{key}_interval"]
+    value = row.figures[key]
     if value is None:
         return "–"
-    if value == 1:
-        return "1"
-    return digits(value) + (f" [{digits(interval[0])} – {digits(interval[1])}]" if interval else "")
+    return "1" if value == 1 else with_interval(value, row.figures[f"{key}_interval"])
 
 
 def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str) -> Table | None:
@@ -170,8 +166,8 @@ def _race(race: dict[str, Any]) -> Table:
     def cells(program: dict[str, Any]) -> list[str]:
         picture, wall, ratio, interval = (program[key] for key in ("picture", "wall", "times_ours", "times_ours_interval"))
         off = percent(picture["differing"] / (picture["width"] * picture["height"]), 3) if picture else "–"
-        time = f"{ms(wall['median'])}" + (f" [{' – '.join(map(ms, wall['interval']))}]" if wall["interval"] else "") if wall else "–"
-        times = digits(ratio) + (f" [{' – '.join(map(digits, interval))}]" if interval else "") if ratio else "–"
+        time = with_interval(wall["median"], wall["interval"], ms) if wall else "–"
+        times = with_interval(ratio, interval) if ratio else "–"
         return [program["name"], program["verdict"], off, time, times, f"{program['memory'] / 2**20:.0f}", program["why"] or ""]
 
     return Table(
