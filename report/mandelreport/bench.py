@@ -174,9 +174,9 @@ class Bench:
         scalar = self.scalar(row, host)
         return row.operations / scalar.operations if scalar is not None and scalar.operations and row.operations else None
 
-    def to_first_value(self, row: Row) -> Times | None:
-        """Returns the ratio of a sweep's row to the first one; None for the first one itself."""
-        entry = self.ratio("to_first_value", row.name)
+    def compared(self, question: str, row: Row) -> Times | None:
+        """Returns the ratio of a row that answers a question, or None if there is none."""
+        entry = self.ratio(question, row.name)
         return Times.of(entry["ratio"]) if entry else None
 
     def fastest(self) -> list[Row]:

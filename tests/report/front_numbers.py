@@ -24,9 +24,9 @@ T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.3
 
 
 def text_of(page: str) -> str:
-    """Returns the text of the front page, without its diagram."""
+    """Returns the text of the front page, without its diagrams."""
     page = re.sub(r"<figure.*?</figure>", " ", page, flags=re.S)
-    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"</(p|h3)>", " ", page))))
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"</(p|h3|td|th|caption)>", " ", page))))
 
 
 def two_sided(t: float, freedom: int) -> float:
@@ -194,9 +194,28 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
          "iterations, both counted over all pixels. An iteration takes # times as many operations, counted in a sample of # pixels. The "
          "product is # times as many operations.", factors),
         ("double takes ~ and ~ times as long in exact mode, and ~ and ~ times in fast mode", [n for two in digits for one in two for n in one.numbers()]),
+        *(ladder(File(json.loads(path.read_text())), fractal) for path in folder.glob("ladder.json") for fractal in FRACTALS),
         *other_files(folder),
         ("In brackets: individual # % intervals of # runs", [95, main.data["runs"]]),
     ]
+
+
+def ladder(file: File, fractal: str) -> tuple[str, list[float]]:
+    """Returns the table of the ladder: each rung's time and gain over the rung before, and the gain of all together."""
+    rungs = [name for name, row in file.rows.items() if row["fractal"] == fractal]
+
+    def gain(name: str, before: str) -> list[float]:
+        ratio = file.ratio(name, before)
+        return [1 / value for value in (ratio.value, *ratio.ends[::-1])]
+
+    values = [1e3 * file.kernel(rungs[0]).value]
+    for before, name in zip(rungs, rungs[1:]):
+        values += [1e3 * file.kernel(name).value, *gain(name, before)]
+    return (
+        f"{fractal}: kernel time, and gain over the rung before. rung ms gain interval serial reference # kernel as scalar C++ # ~ float for "
+        "double # ~ explicit SIMD # ~ cheaper operations # ~ fewer DE evaluations # ~ all threads # ~ all together ~",
+        [*values, *gain(rungs[-1], rungs[0])],
+    )
 
 
 def other_files(folder: Path) -> list[tuple[str, list[float]]]:

@@ -169,7 +169,7 @@ class FrontTest(unittest.TestCase):
 
     def test_no_data_says_what_makes_it(self) -> None:
         page = page_of(Results())
-        self.assertEqual(page.count("No data yet:"), 7)
+        self.assertEqual(page.count("No data yet:"), 8)
         self.assertEqual(Sentences(page).traced, [])
 
     def test_a_backend_that_beats_the_host_is_not_hidden(self) -> None:

@@ -141,9 +141,10 @@ def with_scalar() -> dict[str, Any]:
 def sweep(study: str, name: str, values: list[str]) -> dict[str, Any]:
     rows = [row("mandelbulb", "float", "exact", "openmp", 0.1 / (k + 1), f"{name}={value}") for k, value in enumerate(values)]
     data = bench(study, rows)
-    data["questions"]["to_first_value"] = [
-        {"numerator": later["name"], "denominator": rows[0]["name"], "ratio": summary(1 / (k + 2))} for k, later in enumerate(rows[1:])
-    ]
+    data["questions"] |= {
+        question: [{"numerator": b["name"], "denominator": a["name"], "ratio": summary(1 / (k + 2))} for k, (a, b) in enumerate(pairs)]
+        for question, pairs in (("to_first_value", [(rows[0], row) for row in rows[1:]]), ("to_previous_value", zip(rows, rows[1:])))
+    }
     return data
 
 
@@ -228,6 +229,7 @@ def everything() -> dict[str, Any]:
     return {
         "bench.json": with_scalar(),
         "threads.json": sweep("threads", "threads", ["1", "2", "4"]),
+        "ladder.json": sweep("ladder", "rung", ["reference", "text", "float"]),
         "profile.json": bench("profile"),
         "ablation.json": sweep("ablation", "without", ["none", "hull"]),
         "box-vs-bulb.json": bench("box-vs-bulb"),

@@ -121,6 +121,9 @@ class ReportTest(unittest.TestCase):
         self.assertIn("a convergence of 0.568", page)
         self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[434 – 480\]</td><td.*?>7.77</td>")
         self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
+        # The ladder.
+        self.assertRegex(page, r"float for double</td><td.*?>33.3</td><td.*?>3.00</td><td.*?>\[2.86, 3.16\]</td>")
+        self.assertRegex(page, r"all together</td><td.*?></td><td.*?>3.00</td>")
         # Equal pictures are stored once: a correct and a wrong one of each fractal.
         self.assertEqual(len(re.findall(r'id="pic-', page)), 4)
         self.assertIn("same bits", page)
