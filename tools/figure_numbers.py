@@ -44,11 +44,6 @@ def ms(results, study, *row):
     return f"{1e3 * row_of(results, study, *row).kernel.median:.1f}"
 
 
-def frames(results, study, *row):
-    """Pictures per second, from the wall time."""
-    return f"{1 / row_of(results, study, *row).wall.median:.0f}"
-
-
 def worth(results, technique, fractal, precision):
     """Kernel time of a fast picture without a technique over the time with all techniques, with the interval."""
     row = row_of(results, "ablation", fractal, precision, "fast", f"without={technique}")
@@ -66,17 +61,6 @@ def cost(results, technique, fractal, precision):
     without, interval = ratio_of(results, "ablation", "to_first_value", row)
     low, high = interval or (without, without)
     return bracketed(100 / without - 100, [100 / high - 100, 100 / low - 100] if interval else None, "{:.0f}".format)
-
-
-def off(results, study, *row):
-    """Percentage of pixels that differ visibly from the expected picture."""
-    return f"{100 * row_of(results, study, *row).visibly_off:.1f}"
-
-
-def speed_up(results, study, *row):
-    """Speed-up over the reference in exact mode, with the interval, from wall times."""
-    figures = row_of(results, study, *row).figures
-    return bracketed(figures["speed_up"], figures["speed_up_interval"], "{:.0f}".format)
 
 
 def over_scalar(results, study, fractal, precision, mode):
@@ -114,12 +98,6 @@ def native(results, mode):
 def share(results, study, *row):
     """Percentage of the measured multiply-add peak."""
     return f"{100 * row_of(results, study, *row).figures['share_of_peak']:.0f}"
-
-
-def peak(results, study, precision):
-    """Multiply-add peak in GFLOP/s."""
-    found = [peak["operations_per_second"] for peak in results.json(study)["peaks"] if peak["precision"] == precision]
-    return f"{max(found) / 1e9:.0f}"
 
 
 def range_of(values, places=1):
@@ -177,20 +155,6 @@ def random_off(results, study, fractal, precision):
     return range_of([s["off_percent"] for s in sums["sets"].values()], 2)
 
 
-def far_off(results, study, fractal, precision):
-    """Number of random scenes in which more than 2 % of the pixels differ visibly."""
-    sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
-    return str(sums["all"]["scenes_far_off"])
-
-
-def audit(results, flight, name):
-    """A line of a flight's audit."""
-    for row in results.json(flight)["rows"]:
-        if row["name"] == name.replace("_", " "):
-            return f"{row['value']:.3g}"
-    raise InputError(f"{flight}.json has no row '{name}'")
-
-
 def film(results, key):
     """An integer from the film's summary."""
     return f"{results.json('film')[key]:.0f}"
@@ -224,27 +188,20 @@ def duels(results, machine, clock, programs):
 
 
 NUMBERS = {
-    "audit": audit,
     "backends-with-same-bits": backends_with_same_bits,
     "convergence": convergence,
     "cost": cost,
     "duels": duels,
-    "far-off": far_off,
     "film": film,
-    "frames": frames,
     "k40": k40,
     "model-cost": model_cost,
     "ms": ms,
     "native": native,
-    "off": off,
     "one-register": one_register,
     "over-openmp": over_openmp,
     "over-scalar": over_scalar,
-    "peak": peak,
-    "random-off": random_off,
     "rows-verified": rows_verified,
     "share": share,
-    "speed-up": speed_up,
     "work-over-openmp": work_over_openmp,
     "worth": worth,
 }

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Costs of programming models, verdicts, and zeros of the portability metric, on synthetic
-results."""
+"""Costs of programming models, and verdicts, on synthetic results."""
 
 from __future__ import annotations
 
@@ -17,7 +16,6 @@ from mandelreport.answers import verdict  # noqa: E402
 from mandelreport.bench import Bench, Row  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
 from mandelreport.models import Costs, label, ranked, with_scalar  # noqa: E402
-from mandelreport.portability import measured  # noqa: E402
 from mandelreport.sections.tables import quotient_cell  # noqa: E402
 
 BACKENDS = Backends(("openmp", "stdpar", "kokkos", "vulkan", "reference"))
@@ -62,32 +60,6 @@ class VerdictTest(unittest.TestCase):
             ([1.001, 1.01], "the same within"), ([1.001, 1.05], "it is slower"), (None, "undecided"),
         ):
             self.assertIn(expected, verdict({"ratio": {"interval": interval}}), interval)
-
-
-class PortabilityTest(unittest.TestCase):
-    """The portability is zero only for a backend that was selected and did not run."""
-
-    def entries(self) -> list[dict[str, Any]]:
-        def entry(application: str, *seconds: float | None) -> dict[str, Any]:
-            on = [{"platform": name, "kernel_seconds": s} for name, s in zip(("One", "Two"), seconds)]
-            return {"application": application, "platforms": on}
-
-        return [entry("openmp", 0.1, 0.1), entry("stdpar", 0.2, None)]
-
-    def benches(self, *more: dict[str, Any]) -> list[Bench]:
-        return [
-            bench(*(row(name, 0.1) | {"platform": "One"} for name in ("openmp", "stdpar"))),
-            bench(row("openmp", 0.1) | {"platform": "Two"}, *more),
-        ]
-
-    def test_what_was_not_asked_somewhere_has_no_value(self) -> None:
-        kept, missing = measured(self.entries(), self.benches())
-        self.assertEqual(([entry["application"] for entry in kept], missing), (["openmp"], {"stdpar": ["Two"]}))
-
-    def test_what_is_unavailable_somewhere_has_its_zero(self) -> None:
-        unavailable = row("stdpar", 0.1) | {"platform": "", "figures": None, "unavailable": "no TBB"}
-        kept, missing = measured(self.entries(), self.benches(unavailable))
-        self.assertEqual(([entry["application"] for entry in kept], missing), (["openmp", "stdpar"], {}))
 
 
 if __name__ == "__main__":

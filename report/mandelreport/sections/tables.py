@@ -13,7 +13,6 @@ from ..blocks import Missing, Table
 from ..errors import InputError
 from ..figures import portability
 from ..models import label
-from ..portability import measured, platforms
 from ..results import checked
 from ..text import digits, ms, percent, with_interval
 from . import Material
@@ -104,6 +103,9 @@ def _portability(material: Material) -> list[dict[str, Any]]:
 
 
 def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[str]]) -> Table | None:
+    """Returns the metric of backends that were measured everywhere; `missing`: of each other one, the platforms without
+    it."""
+    platforms = dict.fromkeys(on["platform"] for entry in entries for on in entry["platforms"])
     rows = []
     for entry in entries:
 
@@ -129,7 +131,7 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
         rows,
         "Pennycook's performance portability (PP): by application efficiency (the best backend's time on the platform over this "
         "one's; the backend that is fastest everywhere has 1) and by architectural efficiency (share of the measured peak), with "
-        f"intervals by generalized pivots (Weerahandi), over H = {{{', '.join(platforms(entries))}}}. 0: unavailable or a wrong picture "
+        f"intervals by generalized pivots (Weerahandi), over H = {{{', '.join(platforms)}}}. 0: unavailable or a wrong picture "
         "on one of H." + "".join(f" {name} was not measured on {' and '.join(without)} and has no value." for name, without in missing.items()),
         [4, 5, 6],
     )
@@ -184,7 +186,9 @@ def section(material: Material) -> dict[str, Any]:
         share = bench.work_over_scalar(row, material.backends.host)
         return "–" if share is None or abs(share - 1) < 0.01 else digits(share)
 
-    metric, not_measured = measured(_portability(material), material.results.machines())
+    entries = _portability(material)
+    metric = [entry for entry in entries if not entry["not_measured"]]
+    not_measured = {entry["application"]: entry["not_measured"] for entry in entries if entry["not_measured"]}
     tables = [
         _columns(material, lambda _, row: time_cell(row), "Kernel time and its 95 % interval [ms]; without brackets: too few samples for an interval."),
         _columns(material, lambda _, row: quotient_cell(row, "speed_up"), "Speed-up over the serial reference, wall times."),
