@@ -10,7 +10,6 @@ import base64
 import json
 import re
 import subprocess
-import sys
 import time
 from pathlib import Path
 from typing import Any
@@ -18,7 +17,7 @@ from typing import Any
 from PIL import Image
 
 from .browser import Browser
-from .errors import Unavailable, write_whole
+from .errors import InputError, run_program, write_whole
 from .page import APPENDIX, MAIN
 
 DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
@@ -263,29 +262,24 @@ def main() -> int:
     parser.add_argument("--pictures", type=Path, default=Path("build/report/check"))
     arguments = parser.parse_args()
     if not arguments.page.exists():
-        print(f"check: {arguments.page}: file not found; make it with make report", file=sys.stderr)
-        return 2
-    try:
-        with Browser() as browser:
-            checker = Checker(browser, arguments.pictures, arguments.programs.absolute())
-            browser.size(*DESKTOP)
-            browser.open(arguments.page)
-            checker.page()
-            checker.paper()
-            checker.slider()
-            checker.viewer()
-            problems = browser.problems()
-            checker.expect(
-                not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
-            )
-        without_webgl(arguments.page, checker)
-        broken_twin(checker)
-    except Unavailable as error:
-        print(f"check: {error}", file=sys.stderr)
-        return 77
+        raise InputError(f"{arguments.page}: file not found; make it with make report")
+    with Browser() as browser:
+        checker = Checker(browser, arguments.pictures, arguments.programs.absolute())
+        browser.size(*DESKTOP)
+        browser.open(arguments.page)
+        checker.page()
+        checker.paper()
+        checker.slider()
+        checker.viewer()
+        problems = browser.problems()
+        checker.expect(
+            not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
+        )
+    without_webgl(arguments.page, checker)
+    broken_twin(checker)
     print(f"{len(checker.wrong)} wrong; screenshots in {arguments.pictures}")
     return 1 if checker.wrong else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_program("check", main)

@@ -102,8 +102,10 @@ def faults(page: str, files: dict[str, Any]) -> list[str]:
 
 
 def page_of(results: Results) -> str:
+    """Returns the front page, and the sections of the main part with sentences about results."""
     none = Path("/nonexistent")
-    return front_page(Material(results, Studio(none, Cache(none)), none))
+    material = Material(results, Studio(none, Cache(none)), none)
+    return front_page(material) + sections_of(material, ["method", "speed", "why", "parallel"])
 
 
 class FrontTest(unittest.TestCase):
@@ -115,7 +117,7 @@ class FrontTest(unittest.TestCase):
     def test_every_number_is_that_of_its_file(self) -> None:
         sentences = Sentences(self.page)
         self.assertEqual(sentences.answers, 8)  # seven questions, one of them in two parts
-        self.assertGreater(len(sentences.traced), 50)
+        self.assertGreater(len(sentences.traced), 75)
         self.assertEqual(faults(self.page, self.results.files), [])
 
     def test_another_file_is_seen(self) -> None:
@@ -132,7 +134,7 @@ class FrontTest(unittest.TestCase):
 
     def test_no_data_says_what_makes_it(self) -> None:
         page = page_of(Results())
-        self.assertEqual(page.count("No data yet:"), 8)
+        self.assertGreaterEqual(page.count("No data yet:"), 8)
         self.assertEqual(Sentences(page).traced, [])
 
     def test_a_backend_that_beats_the_host_is_not_hidden(self) -> None:
@@ -152,31 +154,6 @@ class FrontTest(unittest.TestCase):
         self.assertNotIn("No GPU was measured.", page)
         self.assertIn('Measured on <span class="name">Card 9</span>', page)
         self.assertEqual(faults(page, results.files), [])
-
-
-class MainTest(unittest.TestCase):
-    """The sentences about results in the main part of the report: answers, and notes on diagrams."""
-
-    @classmethod
-    def setUpClass(cls) -> None:
-        cls.results = READ
-        none = Path("/nonexistent")
-        cls.page = sections_of(Material(cls.results, Studio(none, Cache(none)), none), ["method", "speed", "why", "parallel"])
-
-    def test_every_number_is_that_of_its_file(self) -> None:
-        self.assertGreater(len(Sentences(self.page).traced), 25)
-        self.assertEqual(faults(self.page, self.results.files), [])
-
-    def test_another_file_is_seen(self) -> None:
-        files = copy.deepcopy(self.results.files)
-        for data in files.values():
-            for row in data.get("rows", []) if isinstance(data, dict) and "counts" in data else []:
-                row["operations"] *= 1.05 if row["fractal"] == "mandelbox" else 1
-        self.assertTrue(any("/operations / " in fault for fault in faults(self.page, files)))
-
-    def test_a_number_without_a_place_is_seen(self) -> None:
-        loose = self.page.replace('<span class="traced">', '<span class="traced">7.5 times ', 1)
-        self.assertEqual(len(faults(loose, self.results.files)), 1)
 
 
 if __name__ == "__main__":

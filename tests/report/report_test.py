@@ -59,30 +59,11 @@ class ReportTest(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = Path(holder.name)
 
-    def make(
-        self,
-        files: dict[str, object],
-        programs: str = "none",
-        seed: str = "0",
-        output: str = "out",
-        results: str = "results",
-    ) -> subprocess.CompletedProcess[str]:
+    def make(self, files: dict[str, object], programs: str = "none", seed: str = "0", output: str = "out", results: str = "results") -> subprocess.CompletedProcess[str]:
         made.write(self.folder / results, files)
+        folders = {"--results": results, "--programs": programs, "--work": "work", "--output": output}
         return subprocess.run(
-            [
-                sys.executable,
-                "-m",
-                "mandelreport",
-                "--no-pdf",
-                "--results",
-                self.folder / results,
-                "--programs",
-                self.folder / programs,
-                "--work",
-                self.folder / "work",
-                "--output",
-                self.folder / output,
-            ],
+            [sys.executable, "-m", "mandelreport", "--no-pdf", *(word for name, folder in folders.items() for word in (name, self.folder / folder))],
             capture_output=True,
             text=True,
             check=False,
@@ -162,13 +143,6 @@ class ReportTest(unittest.TestCase):
         ):
             self.assertNotEqual(Faults(broken).found, [], broken)
 
-    def test_figures_without_the_salt_differ(self) -> None:
-        bench = Bench("made", Path("made"), made.with_scalar())
-        backends = Backends.of(bench.environment["backends"])
-        self.assertEqual(timings.over_scalar(bench, backends), timings.over_scalar(bench, backends))
-        with mock.patch.dict(style.SETTINGS, {"svg.hashsalt": None}):
-            self.assertNotEqual(timings.over_scalar(bench, backends), timings.over_scalar(bench, backends))
-
     def test_colours_follow_the_registration(self) -> None:
         registered = ["reference", "openmp", "openacc", "opencl", "vulkan"]
         colours = {"openmp": style.BLUE, "openacc": style.ORANGE, "opencl": style.GREEN, "vulkan": style.RED}
@@ -224,6 +198,9 @@ class ReportTest(unittest.TestCase):
         whole = made.bench()
         del whole["rows"][3]["verification"]
         self.refused({"bench.json": whole}, "bench.json", "rows/3", "verification")
+        old = made.bench()
+        del old["winners"]
+        self.refused({"bench.json": old}, "bench.json", "without winners", "bench json")
         self.refused({"bench.json": made.bench(), "map.json": made.flight_map() | {"turn": [1.0]}}, "map.json", "frames")
         self.refused({"map.json": {"format": "mandelmarch flight map 1"}}, "map.json", "required property")
         self.refused({"map.json": made.flight_map(), "flight.json": made.audit() | {"schema": 0}}, "flight.json", "schema: 1 was expected")
@@ -234,15 +211,7 @@ class ReportTest(unittest.TestCase):
         self.refused({"film.json": film}, "film.json", "device")
 
     def test_no_folder(self) -> None:
-        self.folder = self.folder / "nowhere"
-        run = subprocess.run(
-            [sys.executable, "-m", "mandelreport", "--no-pdf", "--results", self.folder],
-            capture_output=True,
-            text=True,
-            check=False,
-            cwd=ROOT,
-            env=os.environ | {"PYTHONPATH": str(ROOT / "report")},
-        )
+        run = self.make({}, results="nowhere")
         self.assertEqual((run.returncode, len(run.stderr.strip().splitlines())), (2, 1), run.stderr)
 
     def test_old_report_stays(self) -> None:
