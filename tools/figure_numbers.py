@@ -2,23 +2,52 @@
 """Single numbers for the documents, by name. Each function takes the results and the arguments of its place."""
 import re
 
-from figure_data import FRACTALS, FigureError, with_interval
+from mandelreport.bench import SCALAR
+from mandelreport.errors import InputError
+from mandelreport.text import with_interval
+
+FRACTALS = {"bulb": "mandelbulb", "box": "mandelbox"}
+
+
+def rows_of(results, study):
+    """Returns all timed configurations of a study."""
+    return [row for row in results.bench(study).all_rows if row.timed]
+
+
+def row_of(results, study, fractal, precision, mode, *more):
+    """Returns one timed configuration: fractal (bulb, box), precision, mode, and in any order a backend (default openmp)
+    and a sweep value."""
+    value = next((word for word in more if "=" in word), "")
+    backend = next((word for word in more if "=" not in word), "openmp")
+    key = (FRACTALS.get(fractal, fractal), precision, mode, backend, value, 0)
+    found = [row for row in rows_of(results, study) if (*row.kind, row.backend, row.sweep_value, row.device) == key]
+    if not found:
+        raise InputError(f"{study}.json has no timed row {' '.join(filter(None, key[:-1]))}")
+    return found[0]
+
+
+def ratio_of(results, study, question, row):
+    """Returns (median, interval or None) of a configuration's ratio of kernel times, paired by round."""
+    found = results.bench(study).ratio(question, row.name)
+    if found is None:
+        raise InputError(f"{study}.json says nothing of {row.name} in {question}")
+    return found["ratio"]["median"], found["ratio"]["interval"]
+
+
+def bracketed(value, interval, form="{:.2f}".format):
+    """Formats "1.23 [1.20, 1.26]"; without an interval the value alone."""
+    return with_interval(value, interval, form, ", ")
 
 
 def ms(results, study, *row):
     """Kernel time of a configuration: the median in milliseconds."""
-    return f"{1e3 * results.row(study, *row).kernel.median:.1f}"
-
-
-def frames(results, study, *row):
-    """Pictures per second, from the wall time."""
-    return f"{1 / results.row(study, *row).wall.median:.0f}"
+    return f"{1e3 * row_of(results, study, *row).kernel.median:.1f}"
 
 
 def worth(results, technique, fractal, precision):
     """Kernel time of a fast picture without a technique over the time with all techniques, with the interval."""
-    row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
-    return with_interval(*results.ratio("ablation", "to_first_value", row))
+    row = row_of(results, "ablation", fractal, precision, "fast", f"without={technique}")
+    return bracketed(*ratio_of(results, "ablation", "to_first_value", row))
 
 
 def convergence(results, key="convergence"):
@@ -28,43 +57,32 @@ def convergence(results, key="convergence"):
 
 def cost(results, technique, fractal, precision):
     """Percentage that a technique adds to the kernel time of a fast picture."""
-    row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
-    without, interval = results.ratio("ablation", "to_first_value", row)
+    row = row_of(results, "ablation", fractal, precision, "fast", f"without={technique}")
+    without, interval = ratio_of(results, "ablation", "to_first_value", row)
     low, high = interval or (without, without)
-    return with_interval(100 / without - 100, [100 / high - 100, 100 / low - 100] if interval else None, "{:.0f}".format)
-
-
-def off(results, study, *row):
-    """Percentage of pixels that differ visibly from the expected picture."""
-    return f"{100 * results.row(study, *row).visibly_off:.1f}"
-
-
-def speed_up(results, study, *row):
-    """Speed-up over the reference in exact mode, with the interval, from wall times."""
-    figures = results.row(study, *row).figures
-    return with_interval(figures["speed_up"], figures["speed_up_interval"], "{:.0f}".format)
+    return bracketed(100 / without - 100, [100 / high - 100, 100 / low - 100] if interval else None, "{:.0f}".format)
 
 
 def over_scalar(results, study, fractal, precision, mode):
     """Speed-up of openmp's fastest packs over the scalar kernel on the same threads, with the interval, from wall
     times."""
-    rows = [row for row in results.rows(study) if row.backend == "openmp" and row.figures["over_scalar"] is not None and
+    rows = [row for row in rows_of(results, study) if row.backend == "openmp" and row.figures["over_scalar"] is not None and
             row.kind == (FRACTALS[fractal], precision, mode)]
     if not rows:
-        raise FigureError(f"{study}.json has no row {fractal} {precision} {mode} beside the scalar text")
+        raise InputError(f"{study}.json has no row {fractal} {precision} {mode} beside the scalar text")
     figures = min(rows, key=lambda row: row.kernel.median).figures
-    return with_interval(figures["over_scalar"], figures["over_scalar_interval"], "{:.1f}".format)
+    return bracketed(figures["over_scalar"], figures["over_scalar_interval"], "{:.1f}".format)
 
 
 def model_cost(results, study, *backends):
     """Range of the speeds of backends with the scalar kernel over openmp's scalar kernel, per thread."""
     speeds = []
-    for row in results.rows(study):
+    for row in rows_of(results, study):
         if row.backend in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
-            scalar = results.row(study, *row.kind, "simd-width=1")
+            scalar = row_of(results, study, *row.kind, SCALAR)
             speeds.append(row.figures["over_scalar"] * scalar.threads / row.threads)
     if not speeds:
-        raise FigureError(f"{study}.json has no rows of {' '.join(backends)}")
+        raise InputError(f"{study}.json has no rows of {' '.join(backends)}")
     return range_of(speeds, 2)
 
 
@@ -73,19 +91,13 @@ def native(results, mode):
     lines = [line.split() for line in results.text("native_scalar.txt").splitlines()]
     ratios = [float(words[3]) for words in lines if len(words) >= 7 and words[0] in FRACTALS.values() and words[2] == mode]
     if not ratios:
-        raise FigureError(f"native_scalar.txt has no pictures in {mode} mode")
+        raise InputError(f"native_scalar.txt has no pictures in {mode} mode")
     return range_of(ratios, 2)
 
 
 def share(results, study, *row):
     """Percentage of the measured multiply-add peak."""
-    return f"{100 * results.row(study, *row).figures['share_of_peak']:.0f}"
-
-
-def peak(results, study, precision):
-    """Multiply-add peak in GFLOP/s."""
-    found = [peak["operations_per_second"] for peak in results.json(study)["peaks"] if peak["precision"] == precision]
-    return f"{max(found) / 1e9:.0f}"
+    return f"{100 * row_of(results, study, *row).figures['share_of_peak']:.0f}"
 
 
 def range_of(values, places=1):
@@ -95,18 +107,18 @@ def range_of(values, places=1):
 
 def over_openmp(results, study, backend):
     """Range of a backend's kernel times over openmp's in a study."""
-    found = [row for row in results.rows(study) if row.backend == backend]
+    found = [row for row in rows_of(results, study) if row.backend == backend]
     if not found:
-        raise FigureError(f"{study}.json has no rows of {backend}")
-    return range_of([results.ratio(study, "others_to_host", row)[0] for row in found])
+        raise InputError(f"{study}.json has no rows of {backend}")
+    return range_of([ratio_of(results, study, "others_to_host", row)[0] for row in found])
 
 
 def work_over_openmp(results, study, backend):
     """Range of a backend's counted operations over openmp's in a study."""
-    found = [row for row in results.rows(study) if row.backend == backend and row.operations]
+    found = [row for row in rows_of(results, study) if row.backend == backend and row.operations]
     if not found:
-        raise FigureError(f"{study}.json has no rows of {backend}")
-    hosts = [results.row(study, *row.kind) for row in found]
+        raise InputError(f"{study}.json has no rows of {backend}")
+    hosts = [row_of(results, study, *row.kind) for row in found]
     return range_of([row.operations / host.operations for row, host in zip(found, hosts)])
 
 
@@ -115,10 +127,10 @@ def one_register(results):
     ratios = []
     for fractal in FRACTALS:
         for precision, width in (("float", 16), ("double", 8)):
-            rows = [row for row in results.rows("simd-widths") if (row.backend, *row.kind) ==
+            rows = [row for row in rows_of(results, "simd-widths") if (row.backend, *row.kind) ==
                     ("openmp", FRACTALS[fractal], precision, "exact")]
             widest = max(rows, key=lambda row: row.setting["simd_width"])
-            ratios.append(results.row("simd-widths", fractal, precision, "exact", f"simd-width={width}").kernel.median / widest.kernel.median)
+            ratios.append(row_of(results, "simd-widths", fractal, precision, "exact", f"simd-width={width}").kernel.median / widest.kernel.median)
     return range_of(ratios)
 
 
@@ -131,9 +143,9 @@ def backends_with_same_bits(results, study):
 
 def rows_verified(results, study):
     """Number of configurations whose pictures were verified before they were timed."""
-    rows = results.rows(study)
+    rows = rows_of(results, study)
     if not all(row.verification["passed"] for row in rows):
-        raise FigureError(f"{study}.json has a timed row whose picture is wrong")
+        raise InputError(f"{study}.json has a timed row whose picture is wrong")
     return str(sum(not row.verification["is_expected"] for row in rows))
 
 
@@ -141,20 +153,6 @@ def random_off(results, study, fractal, precision):
     """Percentage of pixels of random scenes that differ visibly from the canonical picture: the range over the sets."""
     sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
     return range_of([s["off_percent"] for s in sums["sets"].values()], 2)
-
-
-def far_off(results, study, fractal, precision):
-    """Number of random scenes in which more than 2 % of the pixels differ visibly."""
-    sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
-    return str(sums["all"]["scenes_far_off"])
-
-
-def audit(results, flight, name):
-    """The value of an item of a flight's audit."""
-    for row in results.json(flight)["rows"]:
-        if row["name"] == name.replace("_", " "):
-            return f"{row['value']:.3g}"
-    raise FigureError(f"{flight}.json has no row '{name}'")
 
 
 def film(results, key):
@@ -171,7 +169,7 @@ def k40(results, fractal, precision, mode):
         words = line.split()
         if words[:3] == [FRACTALS[fractal], precision, mode]:
             return words[K40_MILLISECONDS]
-    raise FigureError(f"k40_expected.txt has no line {fractal} {precision} {mode}")
+    raise InputError(f"k40_expected.txt has no line {fractal} {precision} {mode}")
 
 
 def duels(results, machine, clock, programs):
@@ -186,31 +184,24 @@ def duels(results, machine, clock, programs):
             return called[1]
         elif not line.startswith(" "):
             what = "equal" if line.startswith("equal") else "slower"
-    raise FigureError(f"duel_study.txt has no duels of {machine} {clock} {programs}")
+    raise InputError(f"duel_study.txt has no duels of {machine} {clock} {programs}")
 
 
 NUMBERS = {
-    "audit": audit,
     "backends-with-same-bits": backends_with_same_bits,
     "convergence": convergence,
     "cost": cost,
     "duels": duels,
-    "far-off": far_off,
     "film": film,
-    "frames": frames,
     "k40": k40,
     "model-cost": model_cost,
     "ms": ms,
     "native": native,
-    "off": off,
     "one-register": one_register,
     "over-openmp": over_openmp,
     "over-scalar": over_scalar,
-    "peak": peak,
-    "random-off": random_off,
     "rows-verified": rows_verified,
     "share": share,
-    "speed-up": speed_up,
     "work-over-openmp": work_over_openmp,
     "worth": worth,
 }

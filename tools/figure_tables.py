@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables for the documents, by name. Each function takes the results and the arguments of its place."""
+import functools
 import re
 
-from figure_data import FRACTALS, FigureError, digits, with_interval
-from figure_numbers import random_off
+from figure_numbers import FRACTALS, bracketed, random_off, ratio_of, row_of, rows_of
+from mandelreport.errors import InputError
+from mandelreport.text import digits
+
+four = functools.partial(digits, count=4)  # significant digits
 
 CONFIGURATIONS = [(f, p, m) for f in FRACTALS for m in ("exact", "fast") for p in ("double", "float")]
 TECHNIQUES = {  # sweep values of the ablation study
@@ -39,8 +43,8 @@ def lines_of_code(results):
 def beside_openmp(results, study, key, backend):
     """Kernel time of a backend over openmp's; "-" if it was not timed."""
     try:
-        return with_interval(*results.ratio(study, "others_to_host", results.row(study, *key, backend)))
-    except FigureError:
+        return bracketed(*ratio_of(results, study, "others_to_host", row_of(results, study, *key, backend)))
+    except InputError:
         return "-"
 
 
@@ -51,7 +55,7 @@ def targets(results, study):
     rows = []
     for key in CONFIGURATIONS:
         fractal, precision, mode = key
-        row = results.row(study, *key)
+        row = row_of(results, study, *key)
         rows.append([FRACTALS[fractal], precision, mode, f"{1e3 * row.kernel.median:.1f}", quotient(row, "speed_up"),
                      quotient(row, "over_scalar"), work_cell(results, study, row), f"{100 * row.figures['share_of_peak']:.0f} %",
                      *(beside_openmp(results, study, key, backend) for backend in ("opencl", "vulkan"))])
@@ -60,11 +64,11 @@ def targets(results, study):
 
 def instruction_sets(results, *studies):
     """openmp's speed-ups in several studies, one per instruction set."""
-    names = [results.row(study, "bulb", "float", "fast").instruction_set for study in studies]
+    names = [row_of(results, study, "bulb", "float", "fast").instruction_set for study in studies]
     head = ["fractal", "precision", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway
     rows = []
     for fractal, precision, mode in CONFIGURATIONS:
-        found = [results.row(study, fractal, precision, mode) for study in studies]
+        found = [row_of(results, study, fractal, precision, mode) for study in studies]
         rows.append([FRACTALS[fractal], precision, mode, *(quotient(row, "speed_up") for row in found)])
     return table(head, rows)
 
@@ -79,11 +83,11 @@ def ablation(results):
             if technique == "gradient" and precision == "float":
                 cells.append("-")
                 continue
-            row = results.row("ablation", fractal, precision, "fast", f"without={technique}")
-            cells.append(with_interval(*results.ratio("ablation", "to_first_value", row)) +
+            row = row_of(results, "ablation", fractal, precision, "fast", f"without={technique}")
+            cells.append(bracketed(*ratio_of(results, "ablation", "to_first_value", row)) +
                          (f" ({100 * row.visibly_off:.1f} % off)" if technique == "refinement" else ""))
         rows.append([name, *cells])
-    bounds = [results.row("ablation", *column, "fast", "without=none") for column in columns]
+    bounds = [row_of(results, "ablation", *column, "fast", "without=none") for column in columns]
     rows.append(["the least time that the counted work takes at the measured peak, of the time, ms",
                  *(f"{1e3 * row.figures['bound_seconds']:.1f} of {1e3 * row.kernel.median:.1f}" for row in bounds)])
     return table(["without", *(f"{fractal}, {precision}" for fractal, precision in columns)], rows)
@@ -95,12 +99,12 @@ def growth(results):
     rows = []
     for fractal in FRACTALS:
         for precision in ("double", "float"):
-            later = [results.row("resolution_fast", fractal, precision, "fast", f"size={s}x{s}") for s in SIDES[1:]]
-            steps = [results.ratio("resolution_fast", "to_previous_value", row) for row in later]
-            sweep, interval = results.ratio("resolution_fast", "to_first_value", later[-1])
+            later = [row_of(results, "resolution_fast", fractal, precision, "fast", f"size={s}x{s}") for s in SIDES[1:]]
+            steps = [ratio_of(results, "resolution_fast", "to_previous_value", row) for row in later]
+            sweep, interval = ratio_of(results, "resolution_fast", "to_first_value", later[-1])
             root = 1 / len(later)
             mean = (sweep ** root, [end ** root for end in interval] if interval else None)
-            rows.append([f"{FRACTALS[fractal]}, {precision}", *(with_interval(*step) for step in [*steps, mean])])
+            rows.append([f"{FRACTALS[fractal]}, {precision}", *(bracketed(*step) for step in [*steps, mean])])
     return table(head, rows)
 
 
@@ -111,10 +115,10 @@ def closeups(results):
     for fractal in FRACTALS:
         cells = []
         for study, precision, mode in columns:
-            pair = [results.row(study, fractal, precision, mode, f"scene={scene}") for scene in ("close", "official")]
-            close, official = (with_interval(1e3 * row.kernel.median, interval_ms(row), "{:.1f}".format) for row in pair)
+            pair = [row_of(results, study, fractal, precision, mode, f"scene={scene}") for scene in ("close", "official")]
+            close, official = (bracketed(1e3 * row.kernel.median, interval_ms(row), "{:.1f}".format) for row in pair)
             cells.append(f"{close} ({official})")
-        close = results.row("closeup_fast", fractal, "float", "fast", "scene=close")
+        close = row_of(results, "closeup_fast", fractal, "float", "fast", "scene=close")
         rows.append([FRACTALS[fractal], *cells, f"{100 * close.visibly_off:.1f} %"])
     head = ["kernel ms (the official scene)", *(f"{mode}, {precision}" for _, precision, mode in columns), "fast float is off"]
     return table(head, rows)
@@ -136,26 +140,26 @@ def random(results, study):
 def quotient(row, key):
     """Formats a speed-up with its interval; "-" if it was not timed; "1" for a baseline compared with itself."""
     value, interval = row.figures[key], row.figures[key + "_interval"]
-    return "-" if value is None else "1" if value == 1 else with_interval(value, interval, digits)
+    return "-" if value is None else "1" if value == 1 else bracketed(value, interval, four)
 
 
 def interval_ms(row):
     """Returns the interval of the kernel time, or None."""
-    return None if row.kernel.low is None else [1e3 * row.kernel.low, 1e3 * row.kernel.high]
+    return row.kernel.interval and [1e3 * end for end in row.kernel.interval]
 
 
 def work_cell(results, name, row):
     """A configuration's counted operations over those of the scalar kernel; "-" if one of them is unknown."""
     work = results.bench(name).work_over_scalar(row, "openmp")
-    return "-" if work is None else digits(work)
+    return "-" if work is None else four(work)
 
 
 def row_cells(results, name, row):
     interval = interval_ms(row)
-    interval = "[" + ", ".join(map(digits, interval)) + "]" if interval else "-"
+    interval = "[" + ", ".join(map(four, interval)) + "]" if interval else "-"
     share = row.figures["share_of_peak"]
     return [*row.kind, row.application, row.verification["text"],
-            digits(1e3 * row.kernel.median), interval, f"{100 * share:.0f} %" if share else "-", quotient(row, "speed_up"),
+            four(1e3 * row.kernel.median), interval, f"{100 * share:.0f} %" if share else "-", quotient(row, "speed_up"),
             quotient(row, "over_scalar"), work_cell(results, name, row)]
 
 
@@ -165,21 +169,21 @@ ROW_HEAD = ["fractal", "precision", "mode", "backend", "verification", "kernel m
 
 def study(results, name):
     """All timed configurations of a study."""
-    return table(ROW_HEAD, [row_cells(results, name, row) for row in results.rows(name)])
+    return table(ROW_HEAD, [row_cells(results, name, row) for row in rows_of(results, name)])
 
 
 def four_rows(results, name):
     """openmp's slowest and fastest variant for each fractal."""
     chosen = [(fractal, *kind) for fractal in FRACTALS for kind in (("double", "exact"), ("float", "fast"))]
-    return table(ROW_HEAD, [row_cells(results, name, results.row(name, *key)) for key in chosen])
+    return table(ROW_HEAD, [row_cells(results, name, row_of(results, name, *key)) for key in chosen])
 
 
 def aloud(results, name):
     """The last of the four rows in words."""
-    row = results.row(name, "box", "float", "fast")
+    row = row_of(results, name, "box", "float", "fast")
     low, high = interval_ms(row)
     width, height = row.size
-    serial = with_interval(row.figures["speed_up"], row.figures["speed_up_interval"], "{:.0f}".format)
+    serial = bracketed(row.figures["speed_up"], row.figures["speed_up_interval"], "{:.0f}".format)
     return "\n".join([
         f"The last row, read aloud: in fast mode and float `openmp` draws the Mandelbox at {width} x {height} in",
         f"{1e3 * row.kernel.median:.1f} ms, the median of {row.kernel.count} pictures. The true median lies between {low:.1f} and {high:.1f} ms "

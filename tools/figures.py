@@ -9,15 +9,19 @@ Exit codes: 0 success, 1 stale places, 2 an invalid place or result file."""
 import argparse
 import inspect
 import os
+import pathlib
 import re
 import sys
 
-from figure_data import FigureError, Results
-from figure_numbers import NUMBERS
-from figure_tables import TABLES
 from table_file import put_file
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+sys.path.insert(0, os.path.join(ROOT, "report"))
+from figure_numbers import NUMBERS  # noqa: E402
+from figure_tables import TABLES  # noqa: E402
+from mandelreport.errors import InputError  # noqa: E402
+from mandelreport.files import Files  # noqa: E402
+
 BEGIN = re.compile(r"<!-- figures: ([^\n]*?) -->")
 END = "<!-- end -->"
 
@@ -27,11 +31,11 @@ def wanted(results, words):
     name, *arguments = words.split()
     figure = TABLES.get(name) or NUMBERS.get(name)
     if figure is None:
-        raise FigureError(f"no figure is called '{name}', expected one of {', '.join(sorted({*TABLES, *NUMBERS}))}")
+        raise InputError(f"no figure is called '{name}', expected one of {', '.join(sorted({*TABLES, *NUMBERS}))}")
     try:
         inspect.signature(figure).bind(results, *arguments)
     except TypeError as error:
-        raise FigureError(f"'{words}': {error}") from None
+        raise InputError(f"'{words}': {error}") from None
     return f"\n{figure(results, *arguments)}\n" if name in TABLES else figure(results, *arguments)
 
 
@@ -43,10 +47,10 @@ def places(name, text):
         end = text.find(END, begin.end())
         following = BEGIN.search(text, begin.end())
         if end < 0 or (following and following.start() < end):
-            raise FigureError(f"{name}:{line}: '{begin[1]}' has no {END}")
+            raise InputError(f"{name}:{line}: '{begin[1]}' has no {END}")
         # If a comment begins a line, Markdown takes the whole line for HTML.
         if text[: begin.start()].rpartition("\n")[2] == "" and begin[1].split()[0] not in TABLES:
-            raise FigureError(f"{name}:{line}: '{begin[1]}' begins a line, expected words before a number")
+            raise InputError(f"{name}:{line}: '{begin[1]}' begins a line, expected words before a number")
         yield line, begin[1], begin.end(), end
         at = end
 
@@ -57,8 +61,8 @@ def fill(name, text, results):
     for line, words, first, last in places(name, text):
         try:
             content = wanted(results, words)
-        except FigureError as error:
-            raise FigureError(f"{name}:{line}: {error}") from None
+        except InputError as error:
+            raise InputError(f"{name}:{line}: {error}") from None
         if content != text[first:last]:
             stale.append(f"{name}:{line}: '{words}' is stale: {difference(text[first:last], content)}")
         parts += [text[at:first], content]
@@ -79,7 +83,7 @@ def main(arguments):
     parser.add_argument("--results", default=os.path.join(ROOT, "report", "results"))
     parser.add_argument("file", nargs="+")
     args = parser.parse_args(arguments)
-    results = Results(args.results)
+    results = Files(pathlib.Path(args.results))
     stale = []
     for path in args.file:
         try:
@@ -88,7 +92,7 @@ def main(arguments):
             filled, found = fill(path, text, results)
         except OSError as error:
             sys.exit(fail(f"{path}: {error.strerror}"))
-        except FigureError as error:
+        except InputError as error:
             sys.exit(fail(str(error)))
         stale += found
         if filled != text and not args.check:

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from . import page
-from .errors import InputError, Unavailable, write_whole
+from .errors import InputError, run_program, write_whole
 from .pictures import Cache, Studio
 from .results import read_results
 from .sections import Material
@@ -27,33 +27,23 @@ def main() -> int:
     parser.add_argument("--output", type=Path, default=Path("report/out"), help="folder of the report (%(default)s)")
     parser.add_argument("--no-pdf", action="store_true", help="make only the page")
     arguments = parser.parse_args()
-    try:
-        results = read_results(arguments.results)
-        studio = Studio(arguments.programs.absolute(), Cache((arguments.work / "pictures").absolute()))
-        html = page.render(Material(results, studio, arguments.work.absolute())).encode()
-        if len(html) > LARGEST:
-            raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}; use smaller contact sheets or fewer files")
-        target = arguments.output / "report.html"
-        write_whole(target, html)
-        print(f"report: {target}, {len(html) / 2**20:.1f} MiB", file=sys.stderr)
-        if not arguments.no_pdf:
-            from .browser import print_page  # pylint: disable=import-outside-toplevel
+    results = read_results(arguments.results)
+    studio = Studio(arguments.programs.absolute(), Cache((arguments.work / "pictures").absolute()))
+    html = page.render(Material(results, studio, arguments.work.absolute())).encode()
+    if len(html) > LARGEST:
+        raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}; use smaller contact sheets or fewer files")
+    target = arguments.output / "report.html"
+    write_whole(target, html)
+    print(f"report: {target}, {len(html) / 2**20:.1f} MiB", file=sys.stderr)
+    if not arguments.no_pdf:
+        from .browser import print_page  # pylint: disable=import-outside-toplevel
 
-            write_whole(arguments.output / "report.pdf", print_page(target))
-            print(f"report: {arguments.output / 'report.pdf'}", file=sys.stderr)
-        for key, why in studio.failures.items():
-            print(f"report: {key.fractal}, {key}: {why}", file=sys.stderr)
-    except InputError as error:
-        print(f"report: {error}", file=sys.stderr)
-        return 2
-    except Unavailable as error:
-        print(f"report: {error}", file=sys.stderr)
-        return 77
-    except OSError as error:
-        print(f"report: {error}", file=sys.stderr)
-        return 1
+        write_whole(arguments.output / "report.pdf", print_page(target))
+        print(f"report: {arguments.output / 'report.pdf'}", file=sys.stderr)
+    for key, why in studio.failures.items():
+        print(f"report: {key.fractal}, {key}: {why}", file=sys.stderr)
     return 1 if studio.failures else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_program("report", main)

@@ -10,7 +10,6 @@ from markupsafe import Markup
 
 from .backends import Backends
 from .bench import SCALAR, Bench, Row
-from .holm import greater
 from .models import Costs, work_over
 from .number import Number
 from .results import Results
@@ -53,7 +52,7 @@ def named(text: str) -> Markup:
 
 
 def _count(rows: list[tuple[Bench, Row]]) -> Markup:
-    return Number.of(len(rows), "count", (f"{bench.name}#{bench.at(row)}" for bench, row in rows)).html("whole")
+    return Number.count([f"{bench.name}#{bench.at(row)}" for bench, row in rows]).html("whole")
 
 
 class Answers:
@@ -109,12 +108,22 @@ class Answers:
         places = [f"{self.primary.name}#{self.primary.ratio_at('others_to_host', ratio['numerator'])}" for ratio in others]
         return {
             "host": self.backends.host,
-            "host_wins": all(ratio["ratio"]["median"] > 1 for ratio in others),
-            "machines": _names(bench.machine for bench in self.results.whole() if bench.host_wins()),
-            "slower": Number.of(greater(self.primary.data, others), "significant", places).html("whole"),
-            "compared": Number.of(len(others), "count", places).html("whole"),
+            "host_wins": self.primary.wins(self.backends.host),
+            "machines": _names(bench.machine for bench in self.results.whole() if bench.wins(self.backends.host)),
+            "slower": Number.count(self._slower(self.primary)).html("whole"),
+            "compared": Number.count(places).html("whole"),
             "ends": [self._end(r) for r in ends],
         }
+
+    def _slower(self, bench: Bench) -> list[str]:
+        """Returns the places of the verdicts by which other backends are slower than the host. Where another one is the
+        fastest, none is counted."""
+        return [
+            f"{bench.name}#/winners/{at}/rivals/{k}/verdict"
+            for at, (contest, fastest) in enumerate(zip(bench.data["winners"], bench.fastest()))
+            for k, rival in enumerate(contest["rivals"])
+            if fastest.backend == self.backends.host != bench.named(rival["name"]).backend and rival["verdict"] == "SLOWER"
+        ]
 
     def _end(self, ratio: dict[str, Any]) -> dict[str, Any]:
         assert self.primary is not None

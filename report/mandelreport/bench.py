@@ -18,25 +18,21 @@ class Times:
     """Seconds, or a ratio of them: the median and its 95 % interval, which is None below six samples."""
 
     median: float
-    low: float | None
-    high: float | None
-    count: int
+    interval: list[float] | None
+    count: int = 0
 
     @staticmethod
     def of(summary: dict[str, Any]) -> Times:
-        low, high = summary["interval"] or (None, None)
-        return Times(summary["median"], low, high, summary["count"])
+        return Times(summary["median"], summary["interval"], summary["count"])
 
     def inverse(self) -> Times:
         """Returns the inverse of a ratio."""
-        low, high = (None if end is None else 1 / end for end in (self.high, self.low))
-        return Times(1 / self.median, low, high, self.count)
+        return Times(1 / self.median, self.interval and [1 / end for end in self.interval[::-1]], self.count)
 
     def errors(self) -> tuple[float, float]:
         """Returns the lengths of an error bar downwards and upwards; 0 without an interval."""
-        if self.low is None or self.high is None:
-            return (0.0, 0.0)
-        return (max(0.0, self.median - self.low), max(0.0, self.high - self.median))
+        low, high = self.interval or (self.median, self.median)
+        return (max(0.0, self.median - low), max(0.0, high - self.median))
 
 
 @dataclass(frozen=True)
@@ -178,14 +174,17 @@ class Bench:
         scalar = self.scalar(row, host)
         return row.operations / scalar.operations if scalar is not None and scalar.operations and row.operations else None
 
-    def to_first_value(self, row: Row) -> Times | None:
-        """Returns the ratio of a sweep's row to the first one; None for the first one itself."""
-        entry = self.ratio("to_first_value", row.name)
+    def compared(self, question: str, row: Row) -> Times | None:
+        """Returns the ratio of a row that answers a question, or None if there is none."""
+        entry = self.ratio(question, row.name)
         return Times.of(entry["ratio"]) if entry else None
 
-    def host_wins(self) -> bool:
-        others = self.ratios("others_to_host")
-        return bool(others) and all(entry["ratio"]["median"] > 1 for entry in others)
+    def fastest(self) -> list[Row]:
+        """Returns a standard study's fastest row of each fractal, precision and mode."""
+        return [self.named(contest["fastest"]) for contest in self.data["winners"]]
+
+    def wins(self, backend: str) -> bool:
+        return all(row.backend == backend for row in self.fastest())
 
     def values(self, key: str) -> list[str]:
         """Returns the distinct values of a field among the timed rows, in the file's order."""

@@ -7,20 +7,17 @@ from __future__ import annotations
 
 import argparse
 import base64
-import io
 import json
 import re
 import subprocess
-import sys
 import time
 from pathlib import Path
 from typing import Any
 
-import numpy
 from PIL import Image
 
 from .browser import Browser
-from .errors import Unavailable, write_whole
+from .errors import InputError, run_program, write_whole
 from .page import APPENDIX, MAIN
 
 DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
@@ -157,8 +154,8 @@ class Checker:
 
     def _against_render(self, fractal: str, mode: str, name: str) -> None:
         """Compares the viewer's picture and scene with those of bin/render for the viewer's parameter file."""
-        seen = base64.b64decode(self.browser.run("Viewer.picture()").partition(",")[2])
-        write_whole(self.pictures / f"{name}.png", seen)
+        seen = self.pictures / f"{name}.png"
+        write_whole(seen, base64.b64decode(self.browser.run("Viewer.picture()").partition(",")[2]))
         dat = self.pictures / f"{name}.dat"
         write_whole(dat, self.browser.run("Viewer.dat()").encode())
         render = self.programs / "render"
@@ -178,15 +175,16 @@ class Checker:
         done = subprocess.run([*command, "--output", drawn], capture_output=True, text=True, check=False)
         self.expect(done.returncode == 0, f"bin/render renders the viewer's parameter file {done.stderr.strip()}")
         if done.returncode == 0:
-            a, b = (numpy.asarray(Image.open(source).convert("RGB")).astype(int) for source in (io.BytesIO(seen), drawn))
-            if a.shape != b.shape:
-                self.expect(False, f"the same size: {a.shape}, {b.shape}")
+            compared = subprocess.run([self.programs / "imgdiff", "--json", seen, drawn], capture_output=True, text=True, check=False)
+            if not compared.stdout:  # pictures of different sizes
+                self.expect(False, compared.stderr.strip())
                 return
-            off = numpy.abs(a - b).max(axis=2)
+            found = json.loads(compared.stdout)
+            visible, pixels = found["visibly_differing_pixels"], found["width"] * found["height"]
             self.expect(
-                (off > 2).mean() <= MOST_VISIBLE[mode],
-                f"viewer compared with bin/render --precision float --mode {mode}, {fractal}: {(off > 0).sum()} of {off.size} "
-                f"pixels differ, {(off > 2).sum()} by more than 2/255, at most {off.max()}/255",
+                visible <= MOST_VISIBLE[mode] * pixels,
+                f"viewer compared with bin/render --precision float --mode {mode}, {fractal}: {found['differing_pixels']} of {pixels} "
+                f"pixels differ, {visible} by more than 2/255, at most {found['largest_difference']}/255",
             )
 
     def _fly(self) -> None:
@@ -264,29 +262,24 @@ def main() -> int:
     parser.add_argument("--pictures", type=Path, default=Path("build/report/check"))
     arguments = parser.parse_args()
     if not arguments.page.exists():
-        print(f"check: {arguments.page}: file not found; make it with make report", file=sys.stderr)
-        return 2
-    try:
-        with Browser() as browser:
-            checker = Checker(browser, arguments.pictures, arguments.programs.absolute())
-            browser.size(*DESKTOP)
-            browser.open(arguments.page)
-            checker.page()
-            checker.paper()
-            checker.slider()
-            checker.viewer()
-            problems = browser.problems()
-            checker.expect(
-                not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
-            )
-        without_webgl(arguments.page, checker)
-        broken_twin(checker)
-    except Unavailable as error:
-        print(f"check: {error}", file=sys.stderr)
-        return 77
+        raise InputError(f"{arguments.page}: file not found; make it with make report")
+    with Browser() as browser:
+        checker = Checker(browser, arguments.pictures, arguments.programs.absolute())
+        browser.size(*DESKTOP)
+        browser.open(arguments.page)
+        checker.page()
+        checker.paper()
+        checker.slider()
+        checker.viewer()
+        problems = browser.problems()
+        checker.expect(
+            not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
+        )
+    without_webgl(arguments.page, checker)
+    broken_twin(checker)
     print(f"{len(checker.wrong)} wrong; screenshots in {arguments.pictures}")
     return 1 if checker.wrong else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_program("check", main)

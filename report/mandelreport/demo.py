@@ -10,16 +10,13 @@ import argparse
 import hashlib
 import json
 import subprocess
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import jinja2
-
 from . import viewer
 from .blocks import Missing, data_uri
-from .errors import InputError, write_whole
+from .errors import InputError, run_program, write_whole
 
 LARGEST = 20 * 2**20  # bytes of the page
 
@@ -113,14 +110,7 @@ def live(programs: Path, work: Path) -> dict[str, Any]:
 def page(folder: Path, programs: Path) -> str:
     table = read_table(folder)
     film = folder / "film.mp4"
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(viewer.FOLDER / "templates"),
-        autoescape=True,
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    return environment.get_template("demo.html.j2").render(
+    return viewer.environment().get_template("demo.html.j2").render(
         table=table,
         fractals=fractals_of(folder, table),
         film=data_uri("video/mp4", film.read_bytes()) if film.exists() else None,
@@ -137,19 +127,12 @@ def main() -> int:
     parser.add_argument("--programs", type=Path, default=Path("bin"), help="folder with render (%(default)s)")
     parser.add_argument("--output", type=Path, default=Path("demo/index.html"), help="the page (%(default)s)")
     arguments = parser.parse_args()
-    try:
-        html = page(arguments.folder, arguments.programs.absolute()).encode()
-        if len(html) > LARGEST:
-            raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}; use a smaller --side of bin/demo")
-        write_whole(arguments.output, html)
-    except InputError as error:
-        print(f"demo: {error}", file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"demo: {error}", file=sys.stderr)
-        return 1
+    html = page(arguments.folder, arguments.programs.absolute()).encode()
+    if len(html) > LARGEST:
+        raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}; use a smaller --side of bin/demo")
+    write_whole(arguments.output, html)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_program("demo", main)

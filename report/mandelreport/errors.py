@@ -2,7 +2,10 @@
 """Failures described by one line, and output files that are written completely or not at all."""
 
 import os
+import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import NoReturn
 
 
 class InputError(Exception):
@@ -11,6 +14,15 @@ class InputError(Exception):
 
 class Unavailable(Exception):
     """A missing tool. Exit code 77."""
+
+
+def run_program(program: str, main: Callable[[], int]) -> NoReturn:
+    """Ends the process with the exit code of main(), or with one line and the exit code of its failure."""
+    try:
+        sys.exit(main())
+    except (InputError, Unavailable, OSError) as error:
+        print(f"{program}: {error}", file=sys.stderr)
+        sys.exit({InputError: 2, Unavailable: 77}.get(type(error), 1))
 
 
 def write_whole(path: Path, data: bytes) -> None:

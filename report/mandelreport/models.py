@@ -92,6 +92,6 @@ class Costs:
             "least": self._end(results, min, every),
             "most": self._end(results, max, every),
             "cheap": min(speed for speed, *_ in every) > 0.8,
-            "cases": Number.of(len(cases), "count", cases).html("whole"),
+            "cases": Number.count(cases).html("whole"),
             "size": self.bench.size,
         }

@@ -7,7 +7,6 @@ bench.json#/rows/12/operations. The pointer of a text file is the index of a lin
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -55,9 +54,8 @@ class Number:
         return Number.at(bench.name, bench.data, bench.at(row, pointer))
 
     @staticmethod
-    def of(value: float, rule: str, places: Iterable[str]) -> Number:
-        """Returns a number that a rule makes of several places: count, or significant (holm.greater)."""
-        return Number(value, f"{rule}({', '.join(places)})")
+    def count(places: list[str]) -> Number:
+        return Number(len(places), f"count({', '.join(places)})")
 
     def __truediv__(self, other: Number) -> Number:
         divisor = f"({other.source})" if " " in other.source else other.source

@@ -4,15 +4,11 @@
 from __future__ import annotations
 
 import importlib
-from pathlib import Path
 from typing import Any
-
-import jinja2
 
 from . import sections, viewer
 from .sections import Material, front
 
-FOLDER = Path(__file__).parents[1]
 # Name (of the module, the template and the anchor) and title. The front page comes before both lists.
 MAIN = [
     ("method", "Subject and method of measurement"),
@@ -38,16 +34,6 @@ APPENDIX = [
 TEXT_ONLY = ("discussion", "related")
 
 
-def environment() -> jinja2.Environment:
-    return jinja2.Environment(
-        loader=jinja2.FileSystemLoader(FOLDER / "templates"),
-        autoescape=True,
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-
-
 def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[str, str, dict[str, Any]]]:
     contents = []
     for name, title in names:
@@ -58,18 +44,18 @@ def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[st
 
 def front_page(material: Material) -> str:
     """Returns the front page alone."""
-    return environment().get_template("front.html.j2").render(s=front.section(material))
+    return viewer.environment().get_template("front.html.j2").render(s=front.section(material))
 
 
 def sections_of(material: Material, names: list[str]) -> str:
     """Returns these sections of the main part alone."""
     contents = _contents(material, [entry for entry in MAIN if entry[0] in names])
-    return "".join(environment().get_template(f"{name}.html.j2").render(s=of) for name, _, of in contents)
+    return "".join(viewer.environment().get_template(f"{name}.html.j2").render(s=of) for name, _, of in contents)
 
 
 def render(material: Material) -> str:
     """Returns the whole page, reproducibly for the same results and programs."""
-    return environment().get_template("page.html.j2").render(
+    return viewer.environment().get_template("page.html.j2").render(
         front=front.section(material),
         main=_contents(material, MAIN),
         appendix=_contents(material, APPENDIX),

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy
 from PIL import Image
 
 from .errors import InputError, write_whole
@@ -37,16 +36,21 @@ class Key:
 
 @dataclass(frozen=True)
 class Picture:
-    """`values`: the EXR of an exact picture, for imgdiff's comparison of all bits of colour and depth."""
+    """`drawn`: a PNG; `values`: the EXR of an exact picture, for imgdiff's comparison of all bits of colour and depth."""
 
     key: Key
     device: str
-    bytes: numpy.ndarray  # height x width x 3, 0 to 255
+    drawn: Path
     values: Path | None
+
+    @functools.cached_property
+    def image(self) -> Image.Image:
+        with Image.open(self.drawn) as image:
+            return image.convert("RGB")
 
     @property
     def digest(self) -> str:
-        return hashlib.sha256(self.bytes.tobytes()).hexdigest()
+        return hashlib.sha256(self.image.tobytes()).hexdigest()
 
 
 class Cache:
@@ -150,8 +154,7 @@ class Studio:
             return None
         stats = json.loads(drawn.with_suffix(".png.stats").read_text(encoding="utf-8"))
         values = self._draw(key, ".exr") if key.mode == "exact" else None
-        with Image.open(drawn) as image:
-            return Picture(key, stats["device"]["name"], numpy.asarray(image.convert("RGB")), values)
+        return Picture(key, stats["device"]["name"], drawn, values)
 
     def all(self, backends: Iterable[str]) -> list[Picture]:
         """Returns every picture that these backends can render here, in the order of the report."""
@@ -166,20 +169,23 @@ class Studio:
         ]
         return [picture for key in keys if (picture := self.picture(key)) is not None]
 
-    def same_bits(self, a: Picture, b: Picture) -> bool:
-        """Returns true if imgdiff finds all bits of colour and depth to be the same."""
+    def compare(self, a: Path, b: Path) -> dict[str, Any]:
+        """Returns imgdiff's comparison of two files; `map`: a picture of the differences."""
+        differences = self.cache.path(".png", "map", a.name, b.name)
 
-        of_a, of_b = a.values, b.values
-
-        def compare() -> bool:
-            run = subprocess.run(
-                [self.imgdiff, "--json", str(of_a), str(of_b)], capture_output=True, text=True, check=False
-            )
+        def compared() -> dict[str, Any]:
+            run = subprocess.run([self.imgdiff, "--json", a, b, "--map", differences], capture_output=True, text=True, check=False)
             if run.returncode > 1:
                 raise InputError(f"{self.imgdiff}: {run.stderr.strip().splitlines()[-1]}")
-            found = json.loads(run.stdout)
-            return bool(found["same"] and found["differing_colours"] == 0 and found["differing_depths"] == 0)
+            return json.loads(run.stdout)
 
-        if of_a is None or of_b is None:
-            return False
-        return self.cache.value(compare, "bits", of_a.name, of_b.name)
+        return self.cache.value(compared, "imgdiff", a.name, b.name) | {"map": differences}
+
+    def flip_mean(self, a: Path, b: Path) -> float | None:
+        """Returns the mean of FLIP (Andersson et al., 2020) at its default viewing distance, or None if the package is
+        missing."""
+        try:
+            import flip_evaluator  # pylint: disable=import-outside-toplevel
+        except ImportError:
+            return None
+        return self.cache.value(lambda: float(flip_evaluator.evaluate(str(a), str(b), "LDR")[1]), "flip 1.7", a.name, b.name)

@@ -19,6 +19,7 @@ from referencing import Registry, Resource
 from .backends import Backends
 from .bench import Bench, Row
 from .errors import InputError
+from .files import Files
 from .number import Number, found
 from .flight import Film, FlightMap, film_of_log, read_film, read_map
 
@@ -46,12 +47,16 @@ def checked(name: str, data: Any, kind: str) -> Any:
     return data
 
 
-def read_bench(name: str, path: Path, data: dict[str, Any]) -> Bench:
-    """Checks a result against its schema. Raises InputError with one line."""
+def checked_bench(bench: Bench) -> Bench:
+    """Returns a result that follows its schema. Raises InputError with one line."""
+    name, data = bench.name, bench.data
     if data.get("version") != VERSION:
         said = f"{name}: version {data.get('version')} of a result, expected {VERSION}"
         raise InputError(f"{said}; run `bench json OLD.json > NEW.json`")
-    return Bench(name, path, checked(name, data, "result"))
+    if data.get("study") == "standard" and "winners" not in data:
+        raise InputError(f"{name}: an older build's result, without winners; run `bench json OLD.json > NEW.json`")
+    checked(name, data, "result")
+    return bench
 
 
 @dataclass
@@ -140,18 +145,14 @@ class Results:
         return self.with_interval(file, f"{summary}/median", f"{summary}/interval", scale)
 
 
-def _add_json(results: Results, name: str, path: Path, text: str) -> None:
-    try:
-        data = json.loads(text)
-    except ValueError as error:
-        raise InputError(f"{name}: not JSON: {error}") from None
-    results.files[name] = data
+def _add_json(results: Results, files: Files, stem: str) -> None:
+    name, data = f"{stem}.json", files.json(stem)
     kind = data if isinstance(data, dict) else {}
     if isinstance(data, list) and data and isinstance(data[0], dict) and "by_application_efficiency" in data[0]:
         results.portability = checked(name, data, "portability")
         return
     if kind.get("schema") == SCHEMA:
-        results.benches.append(read_bench(name, path, data))
+        results.benches.append(checked_bench(files.bench(stem)))
     elif kind.get("schema") == "mandelmarch-bench-random":
         results.random.append(checked(name, data, "random"))
     elif kind.get("schema") == "mandelmarch-code-divergence":
@@ -171,7 +172,6 @@ def _add_json(results: Results, name: str, path: Path, text: str) -> None:
 
 
 def _add_text(results: Results, name: str, text: str) -> None:
-    results.files[name] = text
     if text.startswith(("ptxas ", "K40 on paper")):
         results.k40 = text if results.k40 is None else f"{results.k40}\n{text}"
     elif text.startswith("loop mix: "):
@@ -200,18 +200,16 @@ def read_results(folder: Path) -> Results:
     """Reads every result below `folder`. Raises InputError for a broken file or another version."""
     if not folder.is_dir():
         raise InputError(f"{folder}: not a folder, expected one with results of make bench")
-    results = Results()
+    files = Files(folder)
+    results = Results(files.read)
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
-        kind = path.suffix.lower()
-        try:
-            if kind == ".json":
-                _add_json(results, name, path, path.read_text(encoding="utf-8"))
-            elif kind in (".txt", ".log"):
-                _add_text(results, name, path.read_text(encoding="utf-8", errors="replace"))
-            elif kind in (".jpg", ".jpeg", ".png"):
-                results.contact_sheets.append(path)
-        except (OSError, UnicodeDecodeError) as error:
-            raise InputError(f"{name}: cannot be read: {error}") from None
+        kind = path.suffix
+        if kind == ".json":
+            _add_json(results, files, name.removesuffix(".json"))
+        elif kind in (".txt", ".log"):
+            _add_text(results, name, files.text(name))
+        elif kind in (".jpg", ".jpeg", ".png"):
+            results.contact_sheets.append(path)
     results.benches = _told_apart(results.benches)
     return results

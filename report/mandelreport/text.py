@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+
 from .bench import Row
 
 
@@ -17,6 +19,11 @@ def digits(value: float, count: int = 3) -> str:
     if whole:
         return f"{rounded:,.{max(0, count - whole)}f}"
     return f"{rounded:.10f}".rstrip("0")
+
+
+def with_interval(value: float, interval: Iterable[float] | None, form: Callable[[float], str] = digits, between: str = " – ") -> str:
+    """Formats "1.23 [1.20 – 1.26]"; without an interval the value alone."""
+    return form(value) + (f" [{between.join(map(form, interval))}]" if interval else "")
 
 
 def plain(value: float) -> str:

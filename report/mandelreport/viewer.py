@@ -11,6 +11,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import jinja2
 from markupsafe import Markup
 
 from .errors import InputError
@@ -66,6 +67,16 @@ def table_script(table: dict[str, Any], names: list[str] | None = None) -> str:
     return (
         "(() => {\nconst { min, max, pow, sqrt, abs, floor, sign } = Math, pick = (on, a, b) => (on ? a : b);\n"
         f"return {{ rules: {json.dumps(table['scene'], sort_keys=True)}, rows: {{\n{body} }} }};\n}})()"
+    )
+
+
+def environment() -> jinja2.Environment:
+    return jinja2.Environment(
+        loader=jinja2.FileSystemLoader(FOLDER / "templates"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
     )
 
 

@@ -19,13 +19,14 @@ from typing import Any
 
 FRACTALS = ("mandelbulb", "mandelbox")
 NUMBER = r"\d[\d,]*(?:\.\d+)?"
+MARGIN = 1.02  # smaller ratios count as the same
 T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462, 2.30600, 2.26216), 1))
 
 
 def text_of(page: str) -> str:
-    """Returns the text of the front page, without its diagram."""
+    """Returns the text of the front page, without its diagrams."""
     page = re.sub(r"<figure.*?</figure>", " ", page, flags=re.S)
-    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"</(p|h3)>", " ", page))))
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"</(p|h3|td|th|caption)>", " ", page))))
 
 
 def two_sided(t: float, freedom: int) -> float:
@@ -49,7 +50,8 @@ class Times:
         half = T_95[len(logs) - 1] * statistics.stdev(logs) / math.sqrt(len(logs))
         mean = statistics.mean(logs)
         self.value = value
-        self.p = 1 if mean <= 0 else two_sided(T_95[len(logs) - 1] * mean / half, len(logs) - 1)  # if the true value is 1
+        beyond = mean - math.log(MARGIN)
+        self.p = 1 if beyond <= 0 else two_sided(T_95[len(logs) - 1] * beyond / half, len(logs) - 1)  # if the true value is MARGIN
         self.ends = (min(math.exp(mean - half), value), max(math.exp(mean + half), value))
 
     def numbers(self, scale: float = 1) -> list[float]:
@@ -125,7 +127,7 @@ def comparisons(file: File) -> dict[str, Times]:
 
 
 def decided(times: list[Times]) -> int:
-    """Returns how many of the values are significantly above 1, with Holm's correction."""
+    """Returns how many of the values are significantly above MARGIN, with Holm's correction."""
     p_values = sorted(one.p for one in times)
     return next((k for k, p in enumerate(p_values) if p > 0.05 / (len(p_values) - k)), len(p_values))
 
@@ -192,9 +194,28 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
          "iterations, both counted over all pixels. An iteration takes # times as many operations, counted in a sample of # pixels. The "
          "product is # times as many operations.", factors),
         ("double takes ~ and ~ times as long in exact mode, and ~ and ~ times in fast mode", [n for two in digits for one in two for n in one.numbers()]),
+        *(ladder(File(json.loads(path.read_text())), fractal) for path in folder.glob("ladder.json") for fractal in FRACTALS),
         *other_files(folder),
         ("In brackets: individual # % intervals of # runs", [95, main.data["runs"]]),
     ]
+
+
+def ladder(file: File, fractal: str) -> tuple[str, list[float]]:
+    """Returns the table of the ladder: each rung's time and gain over the rung before, and the gain of all together."""
+    rungs = [name for name, row in file.rows.items() if row["fractal"] == fractal]
+
+    def gain(name: str, before: str) -> list[float]:
+        ratio = file.ratio(name, before)
+        return [1 / value for value in (ratio.value, *ratio.ends[::-1])]
+
+    values = [1e3 * file.kernel(rungs[0]).value]
+    for before, name in zip(rungs, rungs[1:]):
+        values += [1e3 * file.kernel(name).value, *gain(name, before)]
+    return (
+        f"{fractal}: kernel time, and gain over the rung before. rung ms gain interval serial reference # kernel as scalar C++ # ~ float for "
+        "double # ~ explicit SIMD # ~ cheaper operations # ~ fewer DE evaluations # ~ all threads # ~ all together ~",
+        [*values, *gain(rungs[-1], rungs[0])],
+    )
 
 
 def other_files(folder: Path) -> list[tuple[str, list[float]]]:
@@ -217,7 +238,7 @@ def other_files(folder: Path) -> list[tuple[str, list[float]]]:
 
 def box_or_bulb(precision: str, mode: str, times: Times) -> tuple[str, list[float]]:
     low, high = times.ends
-    same = 1 / 1.02 <= low and high <= 1.02
+    same = 1 / MARGIN <= low and high <= MARGIN
     said = "the same within # %" if same else "it is slower" if low > 1 else "it is faster" if high < 1 else "undecided"
     return f"In {precision} and {mode} mode the Mandelbox takes ~ times as long: {said}.", times.numbers() + [2.0] * same
 

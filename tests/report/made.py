@@ -18,6 +18,7 @@ def stored(name: str) -> Any:
 BENCH = stored("bench.json")
 ROW = next(row for row in BENCH["rows"] if row["backend"] == "openmp")
 COUNT = next(count for count in BENCH["counts"] if count["precision"] == "double")
+RIVAL = BENCH["winners"][0]["rivals"][0]
 QUESTIONS = ("mandelbox_to_mandelbulb", "double_to_float", "others_to_host", "to_first_value", "to_previous_value")
 
 
@@ -115,8 +116,16 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
             "rows": made,
             "questions": {question: [ratio] if question == "mandelbox_to_mandelbulb" else [] for question in QUESTIONS},
             "portability": [application],
+            "winners": winners(made) if study == "standard" else [],
         }
     )
+
+
+def winners(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    found: dict[str, list[dict[str, Any]]] = {}
+    for one in sorted((row for row in rows if row["figures"]), key=lambda row: row["figures"]["kernel_seconds"]["median"]):
+        found.setdefault("/".join(one["name"].split("/")[:3]), []).append(one)
+    return [{"fastest": first["name"], "rivals": [RIVAL | {"name": one["name"]} for one in others]} for first, *others in found.values()]
 
 
 def with_scalar() -> dict[str, Any]:
@@ -132,9 +141,10 @@ def with_scalar() -> dict[str, Any]:
 def sweep(study: str, name: str, values: list[str]) -> dict[str, Any]:
     rows = [row("mandelbulb", "float", "exact", "openmp", 0.1 / (k + 1), f"{name}={value}") for k, value in enumerate(values)]
     data = bench(study, rows)
-    data["questions"]["to_first_value"] = [
-        {"numerator": later["name"], "denominator": rows[0]["name"], "ratio": summary(1 / (k + 2))} for k, later in enumerate(rows[1:])
-    ]
+    data["questions"] |= {
+        question: [{"numerator": b["name"], "denominator": a["name"], "ratio": summary(1 / (k + 2))} for k, (a, b) in enumerate(pairs)]
+        for question, pairs in (("to_first_value", [(rows[0], row) for row in rows[1:]]), ("to_previous_value", zip(rows, rows[1:])))
+    }
     return data
 
 
@@ -219,6 +229,7 @@ def everything() -> dict[str, Any]:
     return {
         "bench.json": with_scalar(),
         "threads.json": sweep("threads", "threads", ["1", "2", "4"]),
+        "ladder.json": sweep("ladder", "rung", ["reference", "text", "float"]),
         "profile.json": bench("profile"),
         "ablation.json": sweep("ablation", "without", ["none", "hull"]),
         "box-vs-bulb.json": bench("box-vs-bulb"),

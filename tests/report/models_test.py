@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Costs of programming models, significant comparisons, verdicts, and zeros of the portability metric, on synthetic
-results."""
+"""Costs of programming models, and verdicts, on synthetic results."""
 
 from __future__ import annotations
 
@@ -12,14 +11,11 @@ from typing import Any
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 
-import front_numbers  # noqa: E402
 import made  # noqa: E402
-from mandelreport import holm  # noqa: E402
 from mandelreport.answers import verdict  # noqa: E402
 from mandelreport.bench import Bench, Row  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
 from mandelreport.models import Costs, label, ranked, with_scalar  # noqa: E402
-from mandelreport.portability import measured  # noqa: E402
 from mandelreport.sections.tables import quotient_cell  # noqa: E402
 
 BACKENDS = Backends(("openmp", "stdpar", "kokkos", "vulkan", "reference"))
@@ -64,57 +60,6 @@ class VerdictTest(unittest.TestCase):
             ([1.001, 1.01], "the same within"), ([1.001, 1.05], "it is slower"), (None, "undecided"),
         ):
             self.assertIn(expected, verdict({"ratio": {"interval": interval}}), interval)
-
-
-class HolmTest(unittest.TestCase):
-    """Holm's correction of ratios from five runs, each with its own error."""
-
-    def data(self, *ratios: list[float]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-        def samples(values: list[float]) -> list[dict[str, Any]]:
-            return [{"run": k, "round": 0, "kernel": value} for k, value in enumerate(values)]
-
-        rows = [{"name": "host", "samples": samples([1.0] * 5)}] + [{"name": str(n), "samples": samples(r)} for n, r in enumerate(ratios)]
-        return {"rows": rows}, [{"numerator": str(n), "denominator": "host"} for n in range(len(ratios))]
-
-    def test_what_is_decided_alone_is_not_among_many(self) -> None:
-        weak = [1.02, 1.05, 1.01, 1.04, 1.09]  # p is 0.03
-        self.assertEqual(holm.greater(*self.data(weak)), 1)
-        self.assertEqual(holm.greater(*self.data(*[weak] * 48)), 0)
-
-    def test_strong_ratios_are_decided_among_many(self) -> None:
-        strong = [[1.50, 1.52, 1.49, 1.51, 1.50 + k / 1e4] for k in range(40)]
-        self.assertEqual(holm.greater(*self.data(*strong, [1.0, 1.2, 0.9, 1.1, 0.8], [0.5, 0.51, 0.5, 0.52, 0.5])), 40)
-
-    def test_tails_are_those_of_the_finite_sums(self) -> None:
-        for freedom in (1, 2, 3, 4, 9, 14):
-            for t in (0.1, 2.0, 12.0):
-                self.assertAlmostEqual(holm.both_tails(t, freedom), front_numbers.two_sided(t, freedom), 6)
-
-
-class PortabilityTest(unittest.TestCase):
-    """The portability is zero only for a backend that was selected and did not run."""
-
-    def entries(self) -> list[dict[str, Any]]:
-        def entry(application: str, *seconds: float | None) -> dict[str, Any]:
-            on = [{"platform": name, "kernel_seconds": s} for name, s in zip(("One", "Two"), seconds)]
-            return {"application": application, "platforms": on}
-
-        return [entry("openmp", 0.1, 0.1), entry("stdpar", 0.2, None)]
-
-    def benches(self, *more: dict[str, Any]) -> list[Bench]:
-        return [
-            bench(*(row(name, 0.1) | {"platform": "One"} for name in ("openmp", "stdpar"))),
-            bench(row("openmp", 0.1) | {"platform": "Two"}, *more),
-        ]
-
-    def test_what_was_not_asked_somewhere_has_no_value(self) -> None:
-        kept, missing = measured(self.entries(), self.benches())
-        self.assertEqual(([entry["application"] for entry in kept], missing), (["openmp"], {"stdpar": ["Two"]}))
-
-    def test_what_is_unavailable_somewhere_has_its_zero(self) -> None:
-        unavailable = row("stdpar", 0.1) | {"platform": "", "figures": None, "unavailable": "no TBB"}
-        kept, missing = measured(self.entries(), self.benches(unavailable))
-        self.assertEqual(([entry["application"] for entry in kept], missing), (["openmp", "stdpar"], {}))
 
 
 if __name__ == "__main__":

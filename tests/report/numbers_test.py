@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the finished front page: front_numbers.py computes each number again, the product of the printed factors is
-the printed product, and the CSV alone gives the winner that the page names. Each check must fail on a wrong page or
-number."""
+"""Checks of the finished front page: front_numbers.py computes each number again, and the product of the printed factors is
+the printed product. Each check must fail on a wrong page or number."""
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import re
 import sys
@@ -36,17 +33,6 @@ def multiply(printed: list[str]) -> bool:
     *factors, product = map(float, printed)
     slack = sum(0.5 * 10.0 ** -len(text.partition(".")[2]) / float(text) for text in printed)
     return abs(math.prod(factors) / product - 1) <= slack
-
-
-def winners(text: str) -> set[str]:
-    """Returns the backend with the smallest kernel time for each fractal, precision and mode of a standard study's
-    CSV."""
-    best: dict[tuple[str, ...], tuple[float, str]] = {}
-    for row in csv.DictReader(io.StringIO(text)):
-        if row["kernel_s"] and row["verified"] == "1":
-            kind = (row["fractal"], row["precision"], row["mode"])
-            best[kind] = min(best.get(kind, (math.inf, "")), (float(row["kernel_s"]), row["application"]))
-    return {backend for _, backend in best.values()}
 
 
 class NumbersTest(unittest.TestCase):
@@ -85,29 +71,6 @@ class FactorsTest(unittest.TestCase):
     def test_factors_of_a_sample_and_work_of_all_pixels_do_not(self) -> None:
         self.assertFalse(multiply(["1.37", "3.99", "0.359", "1.76"]))
         self.assertFalse(multiply(["1.33", "3.99", "0.359", "1.76"]))
-
-
-class CsvTest(unittest.TestCase):
-    """Winners from bench.csv alone."""
-
-    def setUp(self) -> None:
-        self.named = set(re.findall(r"(\w+), on a machine without a GPU", text_of(FRONT)))
-        self.text = (RESULTS / "bench.csv").read_text(encoding="utf-8")
-
-    def test_the_winner_is_the_one_that_the_page_names(self) -> None:
-        self.assertEqual(len(self.named), 1)
-        self.assertEqual(winners(self.text), self.named)
-
-    def test_another_winner_is_seen(self) -> None:
-        table = list(csv.DictReader(io.StringIO(self.text)))
-        for row in table:
-            if row["backend"] == "vulkan" and row["fractal"] == "mandelbox":
-                row["kernel_s"] = "0.0001"
-        other = io.StringIO()
-        writer = csv.DictWriter(other, table[0])
-        writer.writeheader()
-        writer.writerows(table)
-        self.assertNotEqual(winners(other.getvalue()), self.named)
 
 
 if __name__ == "__main__":

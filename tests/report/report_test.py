@@ -24,9 +24,9 @@ import made_programs  # noqa: E402
 from mandelreport import flight  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
-from mandelreport.bench import SAME_PEAK  # noqa: E402
+from mandelreport.bench import SAME_PEAK, Bench  # noqa: E402
 from mandelreport.page import APPENDIX, MAIN  # noqa: E402
-from mandelreport.results import read_bench, read_results  # noqa: E402
+from mandelreport.results import read_results  # noqa: E402
 from mandelreport.sections import gpu  # noqa: E402
 
 
@@ -59,30 +59,11 @@ class ReportTest(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = Path(holder.name)
 
-    def make(
-        self,
-        files: dict[str, object],
-        programs: str = "none",
-        seed: str = "0",
-        output: str = "out",
-        results: str = "results",
-    ) -> subprocess.CompletedProcess[str]:
+    def make(self, files: dict[str, object], programs: str = "none", seed: str = "0", output: str = "out", results: str = "results") -> subprocess.CompletedProcess[str]:
         made.write(self.folder / results, files)
+        folders = {"--results": results, "--programs": programs, "--work": "work", "--output": output}
         return subprocess.run(
-            [
-                sys.executable,
-                "-m",
-                "mandelreport",
-                "--no-pdf",
-                "--results",
-                self.folder / results,
-                "--programs",
-                self.folder / programs,
-                "--work",
-                self.folder / "work",
-                "--output",
-                self.folder / output,
-            ],
+            [sys.executable, "-m", "mandelreport", "--no-pdf", *(word for name, folder in folders.items() for word in (name, self.folder / folder))],
             capture_output=True,
             text=True,
             check=False,
@@ -121,6 +102,9 @@ class ReportTest(unittest.TestCase):
         self.assertIn("a convergence of 0.568", page)
         self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[434 – 480\]</td><td.*?>7.77</td>")
         self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
+        # The ladder.
+        self.assertRegex(page, r"float for double</td><td.*?>33.3</td><td.*?>3.00</td><td.*?>\[2.86, 3.16\]</td>")
+        self.assertRegex(page, r"all together</td><td.*?></td><td.*?>3.00</td>")
         # Equal pictures are stored once: a correct and a wrong one of each fractal.
         self.assertEqual(len(re.findall(r'id="pic-', page)), 4)
         self.assertIn("same bits", page)
@@ -159,13 +143,6 @@ class ReportTest(unittest.TestCase):
         ):
             self.assertNotEqual(Faults(broken).found, [], broken)
 
-    def test_figures_without_the_salt_differ(self) -> None:
-        bench = read_bench("made", Path("made"), made.with_scalar())
-        backends = Backends.of(bench.environment["backends"])
-        self.assertEqual(timings.over_scalar(bench, backends), timings.over_scalar(bench, backends))
-        with mock.patch.dict(style.SETTINGS, {"svg.hashsalt": None}):
-            self.assertNotEqual(timings.over_scalar(bench, backends), timings.over_scalar(bench, backends))
-
     def test_colours_follow_the_registration(self) -> None:
         registered = ["reference", "openmp", "openacc", "opencl", "vulkan"]
         colours = {"openmp": style.BLUE, "openacc": style.ORANGE, "opencl": style.GREEN, "vulkan": style.RED}
@@ -195,7 +172,7 @@ class ReportTest(unittest.TestCase):
         data = made.with_scalar()
         data["environment"]["backends"] += [{**data["environment"]["backends"][0], "name": "skeleton", "role": ""}]
         data["rows"] += [made.row("mandelbulb", "float", "exact", "skeleton", 0.01)]
-        bench = read_bench("made", Path("made"), data)
+        bench = Bench("made", Path("made"), data)
         registered = bench.environment["backends"]
         figure = timings.over_scalar(bench, Backends.of(registered))
         self.assertIn("skeleton", str(figure.alt))
@@ -221,6 +198,9 @@ class ReportTest(unittest.TestCase):
         whole = made.bench()
         del whole["rows"][3]["verification"]
         self.refused({"bench.json": whole}, "bench.json", "rows/3", "verification")
+        old = made.bench()
+        del old["winners"]
+        self.refused({"bench.json": old}, "bench.json", "without winners", "bench json")
         self.refused({"bench.json": made.bench(), "map.json": made.flight_map() | {"turn": [1.0]}}, "map.json", "frames")
         self.refused({"map.json": {"format": "mandelmarch flight map 1"}}, "map.json", "required property")
         self.refused({"map.json": made.flight_map(), "flight.json": made.audit() | {"schema": 0}}, "flight.json", "schema: 1 was expected")
@@ -231,15 +211,7 @@ class ReportTest(unittest.TestCase):
         self.refused({"film.json": film}, "film.json", "device")
 
     def test_no_folder(self) -> None:
-        self.folder = self.folder / "nowhere"
-        run = subprocess.run(
-            [sys.executable, "-m", "mandelreport", "--no-pdf", "--results", self.folder],
-            capture_output=True,
-            text=True,
-            check=False,
-            cwd=ROOT,
-            env=os.environ | {"PYTHONPATH": str(ROOT / "report")},
-        )
+        run = self.make({}, results="nowhere")
         self.assertEqual((run.returncode, len(run.stderr.strip().splitlines())), (2, 1), run.stderr)
 
     def test_old_report_stays(self) -> None:
@@ -330,7 +302,7 @@ class ReportTest(unittest.TestCase):
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # matplotlib warns if a logarithmic axis loses points
-            self.assertIsNotNone(sweeps.sweep(read_bench("made", Path("made"), study), "D", "ms", "caption"))
+            self.assertIsNotNone(sweeps.sweep(Bench("made", Path("made"), study), "D", "ms", "caption"))
 
     def test_film_of_a_log(self) -> None:
         log = (

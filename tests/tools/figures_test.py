@@ -68,7 +68,7 @@ class FiguresTest(ToolTest):
         data["rows"][0]["figures"] |= {"speed_up": 1.0, "speed_up_interval": [0.7, 1.4]}
         self.results(data)
         _, _, text = self.figures("<!-- figures: study ablation --><!-- end -->\n")
-        self.assertIn("| 25 % | 1 | 4.000 [3.000, 5.000] | 0.6000 |", text)
+        self.assertIn("| 25 % | 1 | 4.000 [3.000, 5.000] | 0.6 |", text)
         self.assertIn("| 1.000 |", text.splitlines()[4])
 
     def test_a_model_s_cost_is_compared_thread_for_thread(self):

@@ -50,14 +50,15 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
                 values = [1e3 * t.median for t in times]
                 errors = [[1e3 * t.errors()[side] for t in times] for side in (0, 1)]
             elif y == "speed-up":
-                gains = [(found.inverse() if (found := bench.to_first_value(row)) else Times(1, None, None, 1)) for _, row in points]
+                gains = [(found.inverse() if (found := bench.compared("to_first_value", row)) else Times(1, None)) for _, row in points]
                 values = [gain.median for gain in gains]
                 errors = [[gain.errors()[side] for gain in gains] for side in (0, 1)]
             else:
                 values = [row.figures["pixels_per_second"] / 1e6 for _, row in points]
+                ends = [(t, *(t.interval or (t.median, t.median))) for t in times]
                 errors = [
-                    [v - v * t.median / (t.high or t.median) for v, t in zip(values, times)],
-                    [v * t.median / (t.low or t.median) - v for v, t in zip(values, times)],
+                    [v - v * t.median / high for v, (t, _, high) in zip(values, ends)],
+                    [v * t.median / low - v for v, (t, low, _) in zip(values, ends)],
                 ]
             errors = [[max(0.0, e) for e in side] for side in errors]
             axis.errorbar([x for x, _ in points], values, yerr=errors, label=name, **style.line(number))
@@ -91,7 +92,7 @@ def ablation(bench: Bench) -> Figure | None:
         width = 0.8 / len(of_fractal)
         for number, (name, rows) in enumerate(of_fractal):
             for row in rows:
-                found = bench.to_first_value(row)
+                found = bench.compared("to_first_value", row)
                 if found is None:
                     continue
                 x = values.index(row.value) + (number - (len(of_fractal) - 1) / 2) * width

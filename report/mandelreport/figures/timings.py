@@ -27,7 +27,7 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
     said = []
     for row in rows:
         value = 1 if row.sweep_value == SCALAR else row.figures["over_scalar"]
-        times = Times(value, *(row.figures["over_scalar_interval"] or (None, None)), 1).inverse()
+        times = Times(value, row.figures["over_scalar_interval"]).inverse()
         axis = axes[modes.index(row.mode)][fractals.index(row.fractal)]
         at = names.index(label(row)) + (-0.15 if row.precision == "double" else 0.15)
         low, high = times.errors()
@@ -124,18 +124,13 @@ def machines(benches: list[Bench]) -> Figure | None:
     """Compares the fastest backend of each machine, for each fractal, precision and mode."""
     if len(benches) < 2:
         return None
-    kinds = list(
-        dict.fromkeys(row.kind for bench in benches for row in bench.rows if row.timed)
-    )
+    kinds = list(dict.fromkeys(row.kind for bench in benches for row in bench.fastest()))
     figure, [[axis]] = style.panels(1, 1, 8, 3.2)
     width = 0.8 / len(benches)
     said = []
     for number, bench in enumerate(benches):
-        for k, (fractal, precision, mode) in enumerate(kinds):
-            rows = bench.timed(fractal=fractal, precision=precision, mode=mode)
-            if not rows:
-                continue
-            best = min(rows, key=lambda row: row.kernel.median)
+        for best in bench.fastest():
+            k = kinds.index(best.kind)
             x = k + (number - (len(benches) - 1) / 2) * width
             axis.bar(
                 x,
@@ -147,7 +142,7 @@ def machines(benches: list[Bench]) -> Figure | None:
             axis.text(
                 x, best.figures["pixels_per_second"] / 1e6, where(best), rotation=90, ha="center", va="bottom", fontsize=6
             )
-            said.append(f"{bench.machine}: {fractal} {precision} {mode}: {where(best)}, {ms(best.kernel.median)} ms")
+            said.append(f"{bench.machine}: {' '.join(best.kind)}: {where(best)}, {ms(best.kernel.median)} ms")
     axis.set_xticks(range(len(kinds)), ["\n".join(kind) for kind in kinds], fontsize=7)
     axis.set_yscale("log")
     axis.yaxis.set_major_formatter(lambda y, _: plain(y))

@@ -7,6 +7,7 @@ from typing import Any
 
 from ..blocks import Missing
 from ..figures.front import times
+from ..figures.ladder import ladder, ladder_table
 from ..text import join
 from . import Material
 
@@ -34,6 +35,12 @@ def section(material: Material) -> dict[str, Any]:
         "gpu_measured": material.results.gpu_measured(),
         "fastest": answers.fastest(),
         "speed_ups": answers.speed_ups(),
+        "ladder": [
+            block
+            for bench in material.results.study("ladder")
+            for block in (ladder(bench), *(ladder_table(bench, fractal) for fractal in bench.values("fractal")))
+        ],
+        "no_ladder": Missing("The ladder", "bin/bench --study ladder --json report/results/ladder.json"),
         "fractals": answers.box_or_bulb(),
         "float": answers.float_or_double(),
         "gpu": answers.gpu(),

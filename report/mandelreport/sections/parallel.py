@@ -37,7 +37,7 @@ def _scaling(material: Material) -> str:
     found = []
     for bench in material.results.study("threads"):
         cores = str(bench.environment["cpu"]["cores_usable"])
-        found += [(bench, row, over) for row in bench.timed() if row.value == cores and (over := bench.to_first_value(row))]
+        found += [(bench, row, over) for row in bench.timed() if row.value == cores and (over := bench.compared("to_first_value", row))]
     if not found:
         return ""
     least, most = (_traced(material, *pick(found, key=lambda one: one[2].median)[:2]) for pick in (min, max))
@@ -49,7 +49,7 @@ def _worth(material: Material) -> str:
     longest: dict[str, tuple[float, Markup]] = {}
     for bench in material.results.study("ablation"):
         for row in (row for row in bench.timed() if row.value not in ("none", "refinement")):
-            found = bench.to_first_value(row)
+            found = bench.compared("to_first_value", row)
             if found and found.median > longest.get(row.value, (0,))[0]:
                 longest[row.value] = (found.median, _traced(material, bench, row))
     together = longest.pop("all-four", None)

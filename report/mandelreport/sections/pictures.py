@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+import io
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
-from ..agreement import compare, difference_map, encode, expected_picture, flip_mean
+from PIL import Image, ImageFilter
+
 from ..blocks import Block, Figure, Missing, Table, data_uri
-from ..pictures import SCENES, SIDE, Key, Picture
+from ..pictures import SCENES, SIDE, Key, Picture, Studio
 from ..random_scenes import random_table
 from ..text import digits, join
 from . import Material
@@ -32,6 +35,39 @@ def _names(keys: list[Key]) -> str:
     return "; ".join(f"{join(backends)} ({kind})" for kind, backends in kinds.items())
 
 
+def _compared(studio: Studio, a: Picture, b: Picture) -> str:
+    """Describes the difference of two pictures; of exact ones, in all bits of colour and depth."""
+    found = studio.compare(a.drawn, b.drawn)
+    if not found["same"]:
+        counts = (found[f"{kind}_pixels"] for kind in ("differing", "visibly_differing"))
+        return "{:,} px, {:,} visibly, max {}".format(*counts, found["largest_difference"])
+    if a.values and b.values and a.key.precision == b.key.precision and studio.compare(a.values, b.values)["same"]:
+        return "same bits"
+    return "same bytes"
+
+
+def _visible(found: dict[str, Any]) -> str:
+    """Formats the fraction of pixels that differ visibly, in a comparison by imgdiff."""
+    return f"{100 * found['visibly_differing_pixels'] / (found['width'] * found['height']):.3f} %"
+
+
+def _psnr(found: dict[str, Any]) -> str:
+    return "∞" if found["psnr_db"] is None else f"{found['psnr_db']:.1f}"
+
+
+def _encoded(image: Image.Image, kind: str, **options: Any) -> str:
+    buffer = io.BytesIO()
+    image.save(buffer, format=kind, **options)
+    return data_uri(f"image/{kind}", buffer.getvalue())
+
+
+def _map(path: Path) -> str:
+    """Returns a map of differences in which each extends by a pixel all around, so that single pixels are visible."""
+    with Image.open(path) as drawn:
+        # 16 greys compress well.
+        return _encoded(drawn.convert("L").filter(ImageFilter.MinFilter(3)).quantize(16), "png", optimize=True)
+
+
 def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> list[Shown]:
     groups: dict[str, list[Picture]] = {}
     for picture in pictures.values():
@@ -42,16 +78,17 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
         first = same[0]
         keys = [picture.key for picture in same]
         names = _names(keys)
-        figure = Figure(data_uri("image/webp", encode(first)), f"The {fractal}'s official scene, rendered by {names}.", names)
-        canonical = expected_picture(pictures, first, material.backends.reference)
+        figure = Figure(_encoded(first.image, "webp", lossless=True, quality=80, method=4), f"The {fractal}'s official scene, rendered by {names}.", names)
+        # The reference's picture in the same mode, in double.
+        canonical = pictures.get(Key(fractal, "double", first.key.mode, material.backends.reference))
         drawn = None
-        if canonical is not None:
-            difference = compare(material.studio, canonical, first)
-            if difference.differing:
+        if canonical is not None and first.key.backend != canonical.key.backend:
+            difference = material.studio.compare(canonical.drawn, first.drawn)
+            if not difference["same"]:
                 drawn = Figure(
-                    data_uri("image/png", difference_map(canonical, first)),
-                    f"Map of the {fractal}'s {difference.differing} pixels that differ between {names} and {canonical.key}.",
-                    f"{names}, compared with {canonical.key}: {difference.words}",
+                    _map(difference["map"]),
+                    f"Map of the {fractal}'s {difference['differing_pixels']} pixels that differ between {names} and {canonical.key}.",
+                    f"{names}, compared with {canonical.key}: {_compared(material.studio, canonical, first)}",
                 )
         shown.append(Shown(f"{fractal}-{number}", figure, keys, drawn))
     return shown
@@ -66,7 +103,7 @@ def _agreement(material: Material, pictures: dict[Key, Picture], fractal: str, p
     rows = []
     for a in names[:-1]:
         cells = [
-            compare(material.studio, by_name[a], by_name[b]).words if names.index(b) > names.index(a) else ""
+            _compared(material.studio, by_name[a], by_name[b]) if names.index(b) > names.index(a) else ""
             for b in names[1:]
         ]
         rows.append([a, *cells])
@@ -79,17 +116,17 @@ def _float_against_double(material: Material, pictures: dict[Key, Picture]) -> T
         if key.precision == "float":
             double = pictures.get(Key(key.fractal, "double", key.mode, key.backend))
             if double:
-                found = compare(material.studio, double, picture)
+                found = material.studio.compare(double.drawn, picture.drawn)
                 rows.append(
                     [
                         key.fractal,
                         key.mode,
                         key.backend,
-                        f"{found.differing:,}",
-                        f"{found.visible:,}",
-                        f"{100 * found.visible / found.pixels:.3f} %",
-                        str(found.largest),
-                        "∞" if found.psnr is None else f"{found.psnr:.1f}",
+                        f"{found['differing_pixels']:,}",
+                        f"{found['visibly_differing_pixels']:,}",
+                        _visible(found),
+                        str(found["largest_difference"]),
+                        _psnr(found),
                     ]
                 )
     return Table(
@@ -107,20 +144,11 @@ def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
         canonical = pictures.get(Key(key.fractal, "double", "fast", material.backends.reference))
         if key.mode != "fast" or key.backend == material.backends.reference or canonical is None:
             continue
-        mean = flip_mean(material.studio, canonical, picture)
+        mean = material.studio.flip_mean(canonical.drawn, picture.drawn)
         if mean is None:
             return Missing("FLIP, as the package flip-evaluator is not installed", "make python")
-        found = compare(material.studio, canonical, picture)
-        rows.append(
-            [
-                key.fractal,
-                key.precision,
-                key.backend,
-                digits(mean),
-                f"{100 * found.visible / found.pixels:.3f} %",
-                "∞" if found.psnr is None else f"{found.psnr:.1f}",
-            ]
-        )
+        found = material.studio.compare(canonical.drawn, picture.drawn)
+        rows.append([key.fractal, key.precision, key.backend, digits(mean), _visible(found), _psnr(found)])
     if not rows:
         return Missing("FLIP of the fast pictures", "make build report")
     return Table(

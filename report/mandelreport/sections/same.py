@@ -21,7 +21,7 @@ def _picture(material: Material, fractal: str) -> Figure | None:
     if picture is None:
         return None
     buffer = io.BytesIO()
-    small = Image.fromarray(picture.bytes).resize((SHOWN, SHOWN), Image.Resampling.LANCZOS)
+    small = picture.image.resize((SHOWN, SHOWN), Image.Resampling.LANCZOS)
     small.save(buffer, format="WEBP", quality=90)
     alt = f"The {fractal}'s official scene in double and exact mode."
     return Figure(data_uri("image/webp", buffer.getvalue()), alt, f"The {fractal.capitalize()}, official scene.", False)

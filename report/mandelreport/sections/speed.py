@@ -53,14 +53,6 @@ def _elsewhere(material: Material, fractal: str, precision: str, mode: str) -> s
     return quotient_cell(found[1], "over_scalar").replace(" [", " * [") if found else "–"
 
 
-def fastest(bench: Bench) -> str:
-    """Names the backends that are fastest for some fractal, precision and mode."""
-    kinds = dict.fromkeys(row.kind for row in bench.timed())
-    of_kind = [[row for row in bench.timed() if row.kind == kind] for kind in kinds]
-    best = dict.fromkeys(where(min(rows, key=lambda row: row.kernel.median)) for rows in of_kind)
-    return join(list(best))
-
-
 def _peak_see(bench: Bench) -> str:
     best = max((r for r in bench.rows if r.timed and r.figures["share_of_peak"]), key=lambda r: r.figures["share_of_peak"], default=None)
     if best is None:
@@ -88,7 +80,7 @@ def _cost_see(material: Material, bench: Bench) -> str:
 def _machines_see(machines: list[Bench]) -> str:
     if not machines:
         return ""
-    each = [Markup("{}: {} is the fastest").format(named(bench.machine), fastest(bench)) for bench in machines]
+    each = [Markup("{}: {} is the fastest").format(named(bench.machine), join(list(dict.fromkeys(map(where, bench.fastest()))))) for bench in machines]
     return Markup("; ").join(each) + Markup("; {} pixels on each.").format(named(machines[0].size))
 
 

@@ -13,9 +13,8 @@ from ..blocks import Missing, Table
 from ..errors import InputError
 from ..figures import portability
 from ..models import label
-from ..portability import measured, platforms
 from ..results import checked
-from ..text import digits, ms, percent
+from ..text import digits, ms, percent, with_interval
 from . import Material
 from .why import factor_table
 
@@ -24,19 +23,15 @@ def time_cell(row: Row | None) -> str:
     """Formats the kernel time and its interval in ms."""
     if row is None or not row.timed:
         return "–"
-    times = row.kernel
-    interval = "" if times.low is None or times.high is None else f" [{ms(times.low)} – {ms(times.high)}]"
-    return ms(times.median) + interval
+    return with_interval(row.kernel.median, row.kernel.interval, ms)
 
 
 def quotient_cell(row: Row, key: str) -> str:
     """Formats a speed-up and its interval; no interval for a baseline compared with itself."""
-    value, interval = row.figures[key], row.figures[f"{key}_interval"]
+    value = row.figures[key]
     if value is None:
         return "–"
-    if value == 1:
-        return "1"
-    return digits(value) + (f" [{digits(interval[0])} – {digits(interval[1])}]" if interval else "")
+    return "1" if value == 1 else with_interval(value, row.figures[f"{key}_interval"])
 
 
 def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str) -> Table | None:
@@ -108,6 +103,9 @@ def _portability(material: Material) -> list[dict[str, Any]]:
 
 
 def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[str]]) -> Table | None:
+    """Returns the metric of backends that were measured everywhere; `missing`: of each other one, the platforms without
+    it."""
+    platforms = dict.fromkeys(on["platform"] for entry in entries for on in entry["platforms"])
     rows = []
     for entry in entries:
 
@@ -133,7 +131,7 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
         rows,
         "Pennycook's performance portability (PP): by application efficiency (the best backend's time on the platform over this "
         "one's; the backend that is fastest everywhere has 1) and by architectural efficiency (share of the measured peak), with "
-        f"intervals by generalized pivots (Weerahandi), over H = {{{', '.join(platforms(entries))}}}. 0: unavailable or a wrong picture "
+        f"intervals by generalized pivots (Weerahandi), over H = {{{', '.join(platforms)}}}. 0: unavailable or a wrong picture "
         "on one of H." + "".join(f" {name} was not measured on {' and '.join(without)} and has no value." for name, without in missing.items()),
         [4, 5, 6],
     )
@@ -170,8 +168,8 @@ def _race(race: dict[str, Any]) -> Table:
     def cells(program: dict[str, Any]) -> list[str]:
         picture, wall, ratio, interval = (program[key] for key in ("picture", "wall", "times_ours", "times_ours_interval"))
         off = percent(picture["differing"] / (picture["width"] * picture["height"]), 3) if picture else "–"
-        time = f"{ms(wall['median'])}" + (f" [{' – '.join(map(ms, wall['interval']))}]" if wall["interval"] else "") if wall else "–"
-        times = digits(ratio) + (f" [{' – '.join(map(digits, interval))}]" if interval else "") if ratio else "–"
+        time = with_interval(wall["median"], wall["interval"], ms) if wall else "–"
+        times = with_interval(ratio, interval) if ratio else "–"
         return [program["name"], program["verdict"], off, time, times, f"{program['memory'] / 2**20:.0f}", program["why"] or ""]
 
     return Table(
@@ -188,7 +186,9 @@ def section(material: Material) -> dict[str, Any]:
         share = bench.work_over_scalar(row, material.backends.host)
         return "–" if share is None or abs(share - 1) < 0.01 else digits(share)
 
-    metric, not_measured = measured(_portability(material), material.results.machines())
+    entries = _portability(material)
+    metric = [entry for entry in entries if not entry["not_measured"]]
+    not_measured = {entry["application"]: entry["not_measured"] for entry in entries if entry["not_measured"]}
     tables = [
         _columns(material, lambda _, row: time_cell(row), "Kernel time and its 95 % interval [ms]; without brackets: too few samples for an interval."),
         _columns(material, lambda _, row: quotient_cell(row, "speed_up"), "Speed-up over the serial reference, wall times."),

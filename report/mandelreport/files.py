@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Result files of a folder, each read once. Needs no package."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from .bench import Bench
+from .errors import InputError
+
+
+class Files:
+    """`read`: the content of each file that was read, by its path below the folder. Throws InputError with one line."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.read: dict[str, Any] = {}
+
+    def _bytes(self, name: str) -> bytes:
+        try:
+            return (self.folder / name).read_bytes()
+        except OSError as error:
+            raise InputError(f"{name}: {error.strerror}") from None
+
+    def text(self, name: str) -> str:
+        if name not in self.read:
+            self.read[name] = self._bytes(name).decode("utf-8", "replace")
+        return self.read[name]
+
+    def json(self, name: str) -> Any:
+        """`name`: without .json."""
+        file = f"{name}.json"
+        if file not in self.read:
+            try:
+                self.read[file] = json.loads(self._bytes(file))
+            except ValueError as error:
+                raise InputError(f"{file}: not JSON: {error}") from None
+        return self.read[file]
+
+    def bench(self, name: str) -> Bench:
+        return Bench(f"{name}.json", self.folder / f"{name}.json", self.json(name))
