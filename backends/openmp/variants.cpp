@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <hwy/targets.h>
 
-
 #include "core/base/environment.h"
 #include "core/base/error.h"
 
