@@ -12,7 +12,6 @@ import re
 import subprocess
 import time
 from pathlib import Path
-from typing import Any
 
 from PIL import Image
 
