@@ -8,18 +8,15 @@ place.
 Exit codes: 0 success, 1 stale places, 2 an invalid place or result file."""
 import argparse
 import inspect
-import os
 import pathlib
 import re
 import sys
 
-from table_file import put_file
-
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
-sys.path.insert(0, os.path.join(ROOT, "report"))
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "report"))
 from figure_numbers import NUMBERS  # noqa: E402
 from figure_tables import TABLES  # noqa: E402
-from mandelreport.errors import InputError  # noqa: E402
+from mandelreport.errors import InputError, run_program, write_whole  # noqa: E402
 from mandelreport.files import Files  # noqa: E402
 
 BEGIN = re.compile(r"<!-- figures: ([^\n]*?) -->")
@@ -77,36 +74,29 @@ def difference(old, new):
     return f"'{a.strip()}' stands there, the results say '{b.strip()}'"
 
 
-def main(arguments):
+def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
-    parser.add_argument("--results", default=os.path.join(ROOT, "report", "results"))
-    parser.add_argument("file", nargs="+")
-    args = parser.parse_args(arguments)
-    results = Files(pathlib.Path(args.results))
+    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "report" / "results")
+    parser.add_argument("file", type=pathlib.Path, nargs="+")
+    args = parser.parse_args()
+    results = Files(args.results)
     stale = []
     for path in args.file:
         try:
-            with open(path, encoding="utf-8") as file:
-                text = file.read()
-            filled, found = fill(path, text, results)
+            text = path.read_text(encoding="utf-8")
         except OSError as error:
-            sys.exit(fail(f"{path}: {error.strerror}"))
-        except InputError as error:
-            sys.exit(fail(str(error)))
+            raise InputError(f"{path}: {error.strerror}") from None
+        filled, found = fill(path, text, results)
         stale += found
         if filled != text and not args.check:
-            put_file(filled, path)
-    if args.check:
-        for line in stale:
-            print(f"{line}; `make docs-figures` fills it", file=sys.stderr)
-        sys.exit(1 if stale else 0)
-
-
-def fail(message):
-    print(f"figures: {message}", file=sys.stderr)
-    return 2
+            write_whole(path, filled.encode())
+    if not args.check:
+        return 0
+    for line in stale:
+        print(f"{line}; `make docs-figures` fills it", file=sys.stderr)
+    return 1 if stale else 0
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    run_program("figures", main)

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
 from markupsafe import Markup
@@ -16,10 +15,6 @@ from .results import Results
 
 FRACTALS = ("mandelbulb", "mandelbox")
 FILM_SIZE = (1920, 1080)  # pixels
-
-
-def _names(items: Iterable[str]) -> list[str]:
-    return list(dict.fromkeys(items))
 
 
 def counted(bench: Bench, fractal: str, precision: str, what: str) -> Number:
@@ -109,7 +104,7 @@ class Answers:
         return {
             "host": self.backends.host,
             "host_wins": self.primary.wins(self.backends.host),
-            "machines": _names(bench.machine for bench in self.results.whole() if bench.wins(self.backends.host)),
+            "machines": list(dict.fromkeys(bench.machine for bench in self.results.whole() if bench.wins(self.backends.host))),
             "slower": Number.count(self._slower(self.primary)).html("whole"),
             "compared": Number.count(places).html("whole"),
             "ends": [self._end(r) for r in ends],

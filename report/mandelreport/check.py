@@ -12,13 +12,13 @@ import re
 import subprocess
 import time
 from pathlib import Path
-from typing import Any
 
 from PIL import Image
 
 from .browser import Browser
 from .errors import InputError, run_program, write_whole
 from .page import APPENDIX, MAIN
+from .viewer import differing_fields
 
 DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
 PAPER = 680  # pixels: A4 without its margins
@@ -27,26 +27,12 @@ SECTIONS = 1 + len(MAIN) + len(APPENDIX)
 VIEWER_SECONDS = 300  # per picture, on a processor
 SIZE = (320, 180)  # pixels of the viewer's picture
 MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # fraction of pixels that may differ visibly from bin/render's
-CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
-# Fields that differ on purpose: the picture is the same without the hull, and float uses no differences.
-VIEWERS_OWN = ("hull", "difference_step")
 # Additional parameters: by fractal, the values of sliders.
 ODD: dict[str, list[dict[str, float]]] = {
     "mandelbulb": [{"shape.2": 3}, {"shape.2": 2.5}, {"shape.2": 8.5}],
     "mandelbox": [{"shape.0": -1.5}],
     "julia": [{"shape.0": 0.1, "shape.1": -0.5, "shape.2": 0.3, "escape": -0.2}],
 }
-
-
-def differing_fields(mine: dict[str, Any], printed: dict[str, Any]) -> list[str]:
-    """Returns the fields with values other than those of bin/render --print-scene."""
-
-    def same(a: Any, b: Any) -> bool:
-        if isinstance(a, list):
-            return len(a) == len(b) and all(map(same, a, b))
-        return a == b or (isinstance(a, (int, float)) and abs(a - b) <= CLOSE * max(abs(b), 1e-3))
-
-    return [name for name, value in mine.items() if name not in VIEWERS_OWN and not same(value, printed[name])]
 
 
 class Checker:

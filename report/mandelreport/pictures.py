@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import hashlib
 import json
@@ -113,29 +114,9 @@ class Studio:
         if not target.exists() and not refused.exists():
             print(f"report: rendering {key.fractal}, {key} ({ending[1:]})", file=sys.stderr)
             stats = target.with_suffix(ending + ".stats")
-            run = subprocess.run(
-                [
-                    self.render,
-                    "--fractal",
-                    key.fractal,
-                    scene,
-                    "--backend",
-                    key.backend,
-                    "--precision",
-                    key.precision,
-                    "--mode",
-                    key.mode,
-                    "--size",
-                    f"{SIDE}x{SIDE}",
-                    "--output",
-                    target,
-                    "--stats",
-                    stats,
-                ],
-                capture_output=True,
-                text=True,
-                check=False,
-            )
+            options = dataclasses.asdict(key) | {"size": f"{SIDE}x{SIDE}", "output": target, "stats": stats}
+            command = [self.render, scene, *(word for name, value in options.items() for word in (f"--{name}", value))]
+            run = subprocess.run(command, capture_output=True, text=True, check=False)
             lines = run.stderr.strip().splitlines()
             if run.returncode == UNAVAILABLE:
                 write_whole(refused, (lines[-1] if lines else "unavailable").encode())

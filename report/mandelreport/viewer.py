@@ -20,6 +20,9 @@ ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "report"
 TOOLS = ("cmake", "glslangValidator", "spirv-cross")
 INPUTS = "(shape, escape, iterations, largest, conservative)"  # inputs of every formula (core/scene/formula.h)
+CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
+# Fields of the viewer that differ on purpose: the picture is the same without the hull, and float uses no differences.
+VIEWERS_OWN = ("hull", "difference_step")
 FLATTEN = FOLDER / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
 # Folders of kernel sources. The environment adds folders, like the build option of the same name.
@@ -78,6 +81,17 @@ def environment() -> jinja2.Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+
+
+def differing_fields(mine: dict[str, Any], printed: dict[str, Any], close: float = CLOSE) -> list[str]:
+    """Returns the fields of a scene with values other than those of bin/render --print-scene."""
+
+    def same(a: Any, b: Any) -> bool:
+        if isinstance(a, list):
+            return len(a) == len(b) and all(map(same, a, b))
+        return a == b or (isinstance(a, (int, float)) and abs(a - b) <= close * max(abs(b), 1e-3))
+
+    return [name for name, value in mine.items() if name not in VIEWERS_OWN and not same(value, printed[name])]
 
 
 def raw(name: str) -> Markup:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every number in the sentences of the report names a file and a place in it, and equals the value there. Each check
-must fail on a wrong page or file."""
+"""Every number in the sentences of the report names a file and a place in it, and equals the value there;
+front_numbers.py computes each number of the front page again. Each check must fail on a wrong page or file."""
 
 from __future__ import annotations
 
@@ -16,13 +16,15 @@ from typing import Any
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 
+import front_numbers  # noqa: E402
 from mandelreport.page import front_page, sections_of  # noqa: E402
 from mandelreport.pictures import Cache, Studio  # noqa: E402
 from mandelreport.results import Results, read_results  # noqa: E402
 from mandelreport.sections import Material  # noqa: E402
 
+RESULTS = ROOT / "report" / "results"
 # Read once, as checking the schemas takes seconds.
-READ = read_results(ROOT / "report" / "results")
+READ = read_results(RESULTS)
 
 
 class Sentences(html.parser.HTMLParser):
@@ -101,10 +103,14 @@ def faults(page: str, files: dict[str, Any]) -> list[str]:
     return found
 
 
+def material_of(results: Results) -> Material:
+    none = Path("/nonexistent")
+    return Material(results, Studio(none, Cache(none)), none)
+
+
 def page_of(results: Results) -> str:
     """Returns the front page, and the sections of the main part with sentences about results."""
-    none = Path("/nonexistent")
-    material = Material(results, Studio(none, Cache(none)), none)
+    material = material_of(results)
     return front_page(material) + sections_of(material, ["method", "speed", "why", "parallel"])
 
 
@@ -154,6 +160,37 @@ class FrontTest(unittest.TestCase):
         self.assertNotIn("No GPU was measured.", page)
         self.assertIn('Measured on <span class="name">Card 9</span>', page)
         self.assertEqual(faults(page, results.files), [])
+
+
+class NumbersTest(unittest.TestCase):
+    """The numbers of the front page, computed again."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.page = front_page(material_of(READ))
+
+    def test_every_number_of_the_front_page_is_computed_again(self) -> None:
+        self.assertEqual(front_numbers.faults(self.page, RESULTS), [])
+
+    def test_each_number_that_is_changed_is_seen(self) -> None:
+        numbers = list(re.finditer(r"(?<=>)[\d,.]*\d(?=</data>)", self.page))
+        self.assertGreater(len(numbers), 90)
+        for number in numbers:
+            value = float(number[0].replace(",", ""))
+            other = f"{self.page[: number.start()]}{value * 1.03 + 0.01:.5f}{self.page[number.end() :]}"
+            self.assertNotEqual(front_numbers.faults(other, RESULTS), [], number[0])
+
+    def test_a_number_that_nothing_computes_is_seen(self) -> None:
+        self.assertEqual(len(front_numbers.faults(self.page.replace("It was made once", "It was made once, in 12 parts"), RESULTS)), 1)
+
+    def test_a_sentence_that_is_missing_is_seen(self) -> None:
+        other = self.page.replace("times as many evaluations", "more evaluations")
+        self.assertIn("the page does not say", " ".join(front_numbers.faults(other, RESULTS)))
+
+    def test_rounding_is_checked_to_the_last_digit(self) -> None:
+        written = front_numbers.is_written
+        self.assertTrue(written("1.76", 1.7602) and written("1,138", 1137.99) and written("2", 2))
+        self.assertFalse(written("1.76", 1.7657) or written("1,138", 1139.1) or written("48", 47))
 
 
 if __name__ == "__main__":

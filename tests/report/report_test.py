@@ -288,15 +288,13 @@ class ReportTest(unittest.TestCase):
         self.assertNotIn("measured ms", found[0].headers)
         self.assertEqual(found[1].rows[0][11:14], ["0.7", "0.8", "2.00"])
 
-    def test_both_tables_of_the_k40(self) -> None:
-        folder = made.write(self.folder / "results", {"a.txt": "K40 on paper, x\n", "b.txt": "ptxas 11.8, y\n"})
-        self.assertEqual(read_results(folder).k40, "K40 on paper, x\n\nptxas 11.8, y\n")
-
     def test_texts_are_known_by_their_first_line(self) -> None:
         files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n", "c.txt": "loop mix: y\n"}
+        files |= {"d.txt": "K40 on paper, x\n", "e.txt": "ptxas 11.8, y\n"}
         found = read_results(made.write(self.folder / "results", files))
         self.assertEqual(found.flight_studies, ["flight study: x\n"])
         self.assertEqual(found.loop_mix, "loop mix: y\n")
+        self.assertEqual(found.k40, "K40 on paper, x\n\nptxas 11.8, y\n")
 
     def test_negative_levels_have_an_axis(self) -> None:
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])

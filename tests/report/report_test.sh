@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# report_test.sh SOURCE NAME: runs one of the report's tests (front, models, numbers, report), or exits with 77 if its
+# report_test.sh SOURCE NAME: runs one of the report's tests (front, models, report), or exits with 77 if its
 # Python packages are missing (make python).
 set -euo pipefail
 cd "$1"

@@ -21,7 +21,7 @@ sys.path.insert(0, str(ROOT / "report"))
 from mandelreport import viewer  # noqa: E402
 
 CAMERA = ROOT / "report" / "viewer" / "camera.js"
-CLOSE = {"float": 1e-6, "double": 1e-14}  # relative: one or two roundings
+CLOSE = {"float": viewer.CLOSE, "double": 1e-14}  # relative: one or two roundings
 LARGEST = {"float": 1e37, "double": 1e300}
 # Parameters that are tested in addition to the official scene's: the numbers of line 7, and the last number of line 8.
 ODD = {
@@ -79,15 +79,6 @@ def by_camera(table: dict, name: str, text: str, fast: bool) -> dict:
     return json.loads(subprocess.run(["node", "-e", script], check=True, capture_output=True, text=True).stdout)
 
 
-def differing(mine: dict, printed: dict, close: float) -> list[str]:
-    def same(a: object, b: object) -> bool:
-        if isinstance(a, list):
-            return len(a) == len(b) and all(map(same, a, b))
-        return a == b or (isinstance(a, (int, float)) and abs(a - b) <= close * max(abs(b), 1e-3))
-
-    return [name for name, value in mine.items() if not same(value, printed[name])]
-
-
 def main() -> int:
     program = sys.argv[1]
     table = json.loads(render(program, "--list-fractals", "--json"))
@@ -111,16 +102,12 @@ def main() -> int:
                             render(program, "--fractal", row["name"], file, "--precision", precision, "--mode", mode, "--print-scene")
                         )
                         where = f"{row['name']} {shape} {escape}, {precision}, {mode}"
-                        got = differing(computed(table["scene"], row, scene, precision, fast), printed, close)
+                        got = viewer.differing_fields(computed(table["scene"], row, scene, precision, fast), printed, close)
                         wrong += [f"{where}: {name}" for name in got]
                         compared += 1
                         if precision == "float" and node:
                             ours = by_camera(table, row["name"], parameters(scene), fast)
-                            # These fields differ on purpose: the viewer's picture is the same without the hull, and in
-                            # float normals are not computed from differences.
-                            for name in ("hull", "difference_step"):
-                                del ours[name]
-                            wrong += [f"{where}: camera.js: {name}" for name in differing(ours, printed, close)]
+                            wrong += [f"{where}: camera.js: {name}" for name in viewer.differing_fields(ours, printed, close)]
                     # Negative controls: a constant, the step factor or the root share is changed.
                     twins = [
                         ("fractal", row | {"constants": [f"(1.01 * {row['constants'][0]})", *row["constants"][1:]]}),
@@ -129,7 +116,7 @@ def main() -> int:
                     if fast:
                         twins.append(("step_factor", row | {"step_factor": "0.6"}))
                     for name, twin in twins:
-                        if name not in differing(computed(table["scene"], twin, scene, "double", fast), printed, 1e-14):
+                        if name not in viewer.differing_fields(computed(table["scene"], twin, scene, "double", fast), printed, 1e-14):
                             wrong.append(f"{row['name']} {shape}, {mode}: another {name} is not seen")
     for line in wrong:
         print("WRONG", line)

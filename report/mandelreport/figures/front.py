@@ -30,12 +30,12 @@ def times(bench: Bench, backends: Backends) -> Figure:
         for row in (row for row in rows if row.fractal == fractal):
             name = label(row)
             fill, marker = KINDS[(row.precision, row.mode)]
-            low, high = row.kernel.errors()
             at = names.index(name) + 0.15 * (list(KINDS).index((row.precision, row.mode)) - 1.5)
-            axis.errorbar(
-                1e3 * row.kernel.median,
+            style.point(
+                axis,
+                row.kernel,
                 at,
-                xerr=[[1e3 * low], [1e3 * high]],
+                1e3,
                 marker=marker,
                 fillstyle=fill,
                 color=style.COLOURS[backends.number_of(row.backend) % 8],

@@ -14,6 +14,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Plot
 
+from ..bench import Times
 from ..blocks import Figure, data_uri
 
 # Okabe and Ito, "Color Universal Design", 2008.
@@ -73,6 +74,12 @@ def panels(rows: int, columns: int, width: float, height: float, **options: Any)
     plt.rcParams.update(SETTINGS)
     figure, axes = plt.subplots(rows, columns, figsize=(width, height), squeeze=False, **options)
     return figure, [list(row) for row in axes]
+
+
+def point(axis: Axes, times: Times, at: float, scale: float = 1, **options: Any) -> None:
+    """Plots a median and its interval along x."""
+    low, high = times.errors()
+    axis.errorbar(scale * times.median, at, xerr=[[scale * low], [scale * high]], **options)
 
 
 def _rounded(number: re.Match[str]) -> str:

@@ -30,9 +30,8 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
         times = Times(value, row.figures["over_scalar_interval"]).inverse()
         axis = axes[modes.index(row.mode)][fractals.index(row.fractal)]
         at = names.index(label(row)) + (-0.15 if row.precision == "double" else 0.15)
-        low, high = times.errors()
         look = style.line(backends.number_of(row.backend)) | {"linestyle": "", "fillstyle": "full" if row.precision == "double" else "none"}
-        axis.errorbar(times.median, at, xerr=[[low], [high]], **look)
+        style.point(axis, times, at, **look)
         said.append(f"{row.fractal}, {row.precision}, {row.mode}, {label(row)}: {digits(times.median)}")
     for i, j in itertools.product(range(len(modes)), range(len(fractals))):
         axes[i][j].axvline(1, color="black", linewidth=0.8)
@@ -69,9 +68,7 @@ def ratios(bench: Bench, backends: Backends, question: str, title: str, caption:
     said = []
     for kind, name, backend, times in entries:
         at = kinds.index(kind) * (len(names) + 1) + names.index(name)
-        low, high = times.errors()
-        look = style.line(backends.number_of(backend)) | {"linestyle": ""}
-        axis.errorbar(times.median, at, xerr=[[low], [high]], **look)
+        style.point(axis, times, at, **style.line(backends.number_of(backend)) | {"linestyle": ""})
         axis.text(1.01, at, digits(times.median), transform=axis.get_yaxis_transform(), va="center", fontsize=7)
         said.append(f"{kind}, {name}: {digits(times.median)}")
     ticks = [(kinds.index(kind) * (len(names) + 1) + names.index(name), f"{kind}: {name}") for kind, name, _, _ in entries]

@@ -73,11 +73,7 @@ def factor_table(material: Material) -> Table | None:
 def _answer(material: Material, bench: Bench, found: list[Factors], precision: str) -> dict[str, Any] | None:
     """Returns the official scenes' factors, each with its place."""
     host = material.backends.host
-    of = {f.fractal: f for f in found if f.view == "official" and f.precision == precision}
-    if set(of) != set(FRACTALS):
-        return None
-    box, bulb = of["mandelbox"], of["mandelbulb"]
-    if box.kernel is None or bulb.kernel is None:
+    if {f.fractal for f in found if f.view == "official" and f.precision == precision and f.kernel} != set(FRACTALS):
         return None
     rows = {(row.fractal, row.setting["view"]): row for row in bench.timed(backend=host, precision=precision, mode="exact")}
     box_row, bulb_row = (rows[fractal, "official"] for fractal in FRACTALS)
@@ -97,14 +93,12 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
     def work(row: Row) -> Number:
         return Number.of_row(bench, row, "/operations") / Number.of_row(bench, row, "/work/iterations")
 
-    times = box.kernel / bulb.kernel
-    angles = next((f for f in found if f.view == "angles" and f.precision == precision), None)
     answer: dict[str, Any] = {
         "precision": precision,
         "machine": bench.machine,
         "backend": host,
         "ratio": ratio("mandelbox_to_mandelbulb", box_row),
-        "slower": times > 1,
+        "slower": box_row.kernel.median > bulb_row.kernel.median,
         "verdict": verdict(bench.ratio("mandelbox_to_mandelbulb", box_row.name)),
         "size": bench.size,
         "sample": counted(bench, "mandelbox", precision, "pixels").html("whole"),
@@ -114,12 +108,12 @@ def _answer(material: Material, bench: Bench, found: list[Factors], precision: s
         "box_peak": peak(box_row),
         "bulb_peak": peak(bulb_row),
     }
-    if angles is not None and angles.kernel is not None:
-        angles_row = rows["mandelbulb", "angles"]
+    angles_row = rows.get(("mandelbulb", "angles"))
+    if angles_row is not None:
         answer["angles"] = ratio("to_first_value", angles_row)
         answer["angle_operations"] = (work(angles_row) / work(bulb_row)).html()
         answer["against_angles"] = (kernel(box_row) / kernel(angles_row)).html()
-        answer["box_beats_angles"] = box.kernel < angles.kernel
+        answer["box_beats_angles"] = box_row.kernel.median < angles_row.kernel.median
     return answer
 
 
