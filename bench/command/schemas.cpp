@@ -49,8 +49,7 @@ constexpr Kind kinds[] = {
      [](Json& definitions) { return schema_of<std::vector<Portability>>({}, definitions); }},
     {"result", result_schema, schema_version, "A result of bench",
      "Times are in seconds, rates per second. An operation is an addition, subtraction, multiplication, division or "
-     "square "
-     "root in one lane. docs/bench-output.md explains every quantity.",
+     "square root in one lane. docs/bench-output.md explains every quantity.",
      result_properties},
     {"duel", "mandelmarch-duel", 2, "A duel",
      "Written by `bench duel --json`: times of pairs of pictures by two programs, and the verdicts. All times are in "
@@ -58,8 +57,7 @@ constexpr Kind kinds[] = {
      properties_of<Duel>},
     {"race", "mandelmarch-race", 2, "A race",
      "Written by `bench race --json`: programs that read a parameter file and write a picture, ours first. Times are "
-     "in "
-     "seconds, of whole processes; memory is in bytes.",
+     "in seconds, of whole processes; memory is in bytes.",
      properties_of<Race>},
     {"random", "mandelmarch-bench-random", 1, "Fast pictures of random scenes",
      "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 from the canonical "
@@ -81,7 +79,10 @@ Json schema_json(const Kind& kind)
     if (!is_list) {
         Json properties{{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}};
         properties.update(content["properties"]);
-        content = object_schema(std::move(properties));
+        Json required = {"schema", "version"};
+        for (const Json& key : content["required"]) required.push_back(key);
+        content["properties"] = std::move(properties);
+        content["required"] = std::move(required);
     }
     schema.update(content);
     schema["$defs"] = std::move(definitions);

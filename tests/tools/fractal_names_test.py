@@ -18,6 +18,8 @@ ALLOWED = {
     "apps/mandelbulb.cpp": "the program of that name",
     "backends/reference/reference.cpp": "which estimators it has",
     "bench/result/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
+    "bench/study/views.cpp": "scenes of the studies, with defaults for other fractals",
+    "flight/path/measures.cpp": "measures of flights, with defaults for other fractals",
     "report/mandelreport/answers.py": "the two fractals that the front page compares",
     "report/mandelreport/check.py": "odd parameters, which the viewer is tried at",
     "report/mandelreport/pictures.py": "the two scenes that the report shows",
