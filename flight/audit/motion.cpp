@@ -100,7 +100,7 @@ std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vec
     std::vector<Passage> passages;
     std::vector<Vector> known;
     // When the clearance has fallen to half of `widest` or less, `least` becomes the frame with the smallest clearance
-    // from there on. That frame is a passage as soon as the clearance has grown to twice its clearance.
+    // from there on. That frame is a passage once the clearance has grown to twice its value there.
     double widest = 0;  // the largest clearance since the last passage
     bool narrowed = false;
     Passage least{0, 0};

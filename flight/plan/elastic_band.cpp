@@ -180,8 +180,8 @@ void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double s
     }
 }
 
-// Smooths the shape time along the band, because a jump of the time would be a jump of the shape. The time is replaced
-// by its moving average over the distance in clearances.
+// Smooths the shape time (the schedule's frame that sets the shape) along the band, so that the shape does not jump:
+// each point gets the moving average of the time over its neighbourhood, whose length is given in clearances.
 void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
 {
     const double cap = fastest_clearance(shapes.field().bounds());

@@ -74,7 +74,7 @@ TEST(Level, NeedsNoHorizonStraightUp)
     EXPECT_NEAR(tilt_of(frame, Vector{1, 0, 0}).horizon, 1, 1e-12);
 }
 
-// If a camera is rolled by its tilt, it is level.
+// Rolling a camera by its tilt makes it level.
 TEST(Level, IsWhereItsTiltLeads)
 {
     const Frame frame{{1, 2, 3}, {2, 2.5, 2}, {0.3, 1, 0.2}, 1, {}};

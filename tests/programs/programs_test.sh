@@ -107,7 +107,7 @@ test_regions() {
     expect 2 bulb --region 0,0,4,4 --eyes 1
 }
 
-# imgdiff prints a command with --trace, which prints the steps of a ray and writes no picture.
+# imgdiff prints a `render --trace` command, which prints the steps of one ray and writes no picture.
 test_differences_and_traces() {
     expect 0 bulb --output a.bmp
     expect 0 "$bin/mandelbox" paramsBox.dat $small --output box.bmp

@@ -61,7 +61,7 @@ test_silent() {
     done
 }
 
-# Devices that lack a feature give an error, or pictures with the same bits.
+# A device that lacks a feature gives an error, or the same bits as an intact device.
 test_features() {
     refused 77 'has no double' no_double bulb a.exr
     refused 77 'no double' no_double bulb a.exr --mode fast
