@@ -47,8 +47,8 @@ struct Build {
 };
 
 // Returns how to compile the kernel for this device. options.simd_width is the number of lanes; 0: the number that
-// suits the device. Throws Unavailable if the device does not support the options, InputError if OpenCL has no vector
-// of that length.
+// suits the device. Throws Unavailable if the device does not support the options, InputError if OpenCL has no
+// vectors with this number of lanes.
 Build build_for(const cl::Device& device, const RendererOptions& options);
 
 }  // namespace mandelmarch::opencl

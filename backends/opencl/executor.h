@@ -97,8 +97,8 @@ private:
     // Launches the kernel and waits for its end.
     cl::Event launch(const Band& band, int rows_covered, const char* doing)
     {
-        // With vectors, a work item renders a strip of pixels (strip.cl). On a CPU each of these items is a work group
-        // of its own, because a core takes one group after another. Without vectors, a work group renders a square of
+        // With vectors, a work item renders a strip of pixels (strip.cl). On a CPU each work group has one such item,
+        // because a core takes one group after another. Without vectors, a work group renders a square of
         // pixels.
         const int side_of_group = !session_.is_cpu ? 8 : lanes_ > 1 ? 1 : tile_side;
         const int group_width = block_ > 0 ? 8 : side_of_group;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of every packs_*.cpp, included once per instruction set; defines that set's variants. Each pack below
-// defines its parameters, includes its sections, and ends with end_pack.h. Narrow packs (one register) manage the pools
-// of rays, pairs of registers shade hits, and wide packs march rays and refine hits.
+// defines its parameters, includes its sections, and ends with end_pack.h. The kernel runs in packs of three widths:
+// narrow packs (one register) fill and empty the pools of rays, packs of two registers shade hits, and wide packs march
+// rays and refine hits.
 
 #include <cstddef>
 
