@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Tests that build the project with other presets, bundle it, run GPU kernels on a simulated GPU, or call NVIDIA's
-# assembler.
-add_subdirectory(openmp_parts)
+# Tests that link each library alone, build the project with other presets, bundle it, run GPU kernels on a simulated
+# GPU, or call NVIDIA's assembler.
+add_subdirectory(libraries)
 add_subdirectory(registration)
 find_program(MANDELMARCH_PATCHELF patchelf)
 if(MANDELMARCH_PATCHELF OR DEFINED ENV{CI})

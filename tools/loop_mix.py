@@ -12,7 +12,7 @@ import sys
 
 from table_file import put
 
-REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # per pack: core/kernel/fractals and backends/openmp/packs.h
+REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # per pack: core/kernel/fractals and backends/openmp/packs/kernel.h
 # The official scene takes the shortest path around the loop that has this many of these instructions per register: the
 # sphere fold's reciprocal; the square roots of x^2 + y^2 and of x^2 + y^2 + z^2, and the cosines that the eighth power
 # doubles; the test whether the orbit has escaped.

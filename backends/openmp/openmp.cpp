@@ -61,7 +61,7 @@ public:
                 void* memory = memory_[static_cast<std::size_t>(omp_get_thread_num())].of_size(variant_.memory);
                 TileQueue::Share share{queue};
                 if (omp_get_thread_num() == 0) team = std::max(team, omp_get_num_threads());
-                const WorkCounts spent = variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory);
+                const WorkCounts spent = variant_.draw(picture_.kernel_scene(), canvas, share.tiles(), memory);
                 band_work += {spent.steps, spent.de_calls, spent.iterations};
             }
         }

@@ -32,7 +32,7 @@ public:
         StageSeconds seconds;
         void* const profile_memory = profile_memory_.of_size(variant_.profile_memory);
         each_lattice(image, [&](const Canvas<Real>& canvas, const Tiles& tiles) {
-            variant_.profile(&picture_.kernel_scene(), canvas, tiles, profile_memory, &now, seconds.of.data());
+            variant_.profile(picture_.kernel_scene(), canvas, tiles, profile_memory, &now, seconds.of.data());
         });
         // Renders the picture a second time without a clock, into another image, so that `image` keeps the profiled
         // one.
@@ -40,7 +40,7 @@ public:
         void* const memory = memory_.of_size(variant_.memory);
         const double start = now();
         each_lattice(whole, [&](const Canvas<Real>& canvas, const Tiles& tiles) {
-            variant_.draw(&picture_.kernel_scene(), canvas, tiles, memory);
+            variant_.draw(picture_.kernel_scene(), canvas, tiles, memory);
         });
         seconds.in_one_go = now() - start;
         return seconds;

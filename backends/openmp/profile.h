@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures the time of each stage of a picture rendered by openmp (profile-inl.h).
+// Measures the time of each stage of a picture rendered by openmp (packs/profile.h).
 #pragma once
 
 #include <array>

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "core/image/tile.h"
+#include "core/render/kernel_scene.h"
 
 namespace mandelmarch::openmp {
 
@@ -62,7 +63,7 @@ struct Canvas {
     int end_row;
     std::ptrdiff_t pixels;  // per plane
     Real spacing;           // distance of diagonally adjacent rays at distance 1 from the camera
-    bool cones;             // subtiles begin with cones (cones-inl.h)
+    bool cones;             // subtiles begin with cones (packs/cones.h)
     Real block_hull;        // size of the enlarged hull for subtiles (spacing.h); 0: none
     Lattice lattice;        // pixels to render, counted from first_row
     Real* block_start;      // for each subtile, a t before which none of its rays hits
@@ -90,14 +91,15 @@ struct Tiles {
     void* source;
 };
 
-// Renders tiles until none are left. `scene` is the kernel's Scene in Real's layout; `memory` belongs to the thread.
+// Renders tiles until none are left. `memory` belongs to the thread.
 template <class Real>
-using DrawTiles = WorkCounts (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory);
+using DrawTiles = WorkCounts (*)(const KernelScene<Real>& scene, const Canvas<Real>& canvas, const Tiles& tiles,
+                                 void* memory);
 
 // Renders tiles like DrawTiles, and adds the seconds of each Stage, measured with `clock`, to `seconds`.
 template <class Real>
-using ProfileTiles = void (*)(const void* scene, const Canvas<Real>& canvas, const Tiles& tiles, void* memory,
-                              double (*clock)(), double* seconds);
+using ProfileTiles = void (*)(const KernelScene<Real>& scene, const Canvas<Real>& canvas, const Tiles& tiles,
+                              void* memory, double (*clock)(), double* seconds);
 
 template <class Real>
 struct Variant {

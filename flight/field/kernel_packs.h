@@ -3,10 +3,14 @@
 // it once per instruction set.
 #undef MM_REAL
 #undef MM_REAL_IS_FLOAT
+#undef MM_FAST
 #undef MM_REGISTERS
+#undef MM_COUNTED
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
+#define MM_FAST 0
 #define MM_REGISTERS 4
+#define MM_COUNTED 0
 
 #include "core/kernel/prelude/vectorless.h"
 

@@ -40,7 +40,7 @@ Drawn<Real> draw(const Scene& scene, Mode mode, double share)
     openmp::TileQueue queue(scene.width, band, 1);
     openmp::TileQueue::Share tiles{queue};
     openmp::ThreadMemory memory;
-    drawn.spent = variant.draw(&picture.kernel_scene(), canvas, tiles.tiles(), memory.of_size(variant.memory));
+    drawn.spent = variant.draw(picture.kernel_scene(), canvas, tiles.tiles(), memory.of_size(variant.memory));
     return drawn;
 }
 

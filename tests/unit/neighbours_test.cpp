@@ -49,7 +49,7 @@ public:
         openmp::TileQueue queue(scene_.width, band, 1);
         openmp::TileQueue::Share share{queue};
         openmp::ThreadMemory memory;
-        steps_ += variant_.draw(&picture_.kernel_scene(), canvas, share.tiles(), memory.of_size(variant_.memory)).steps;
+        steps_ += variant_.draw(picture_.kernel_scene(), canvas, share.tiles(), memory.of_size(variant_.memory)).steps;
     }
 
     float depth(int x, int y) const

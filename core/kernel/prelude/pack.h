@@ -4,6 +4,11 @@
 // MM_REAL, MM_REAL_IS_FLOAT, MM_FAST (1: fast mode, 0: exact), MM_REGISTERS and MM_COUNTED (1: counts work, 0: does
 // not). Include it inside a namespace in HWY_NAMESPACE and before the kernel source.
 
+#if !defined(MM_REAL) || !defined(MM_REAL_IS_FLOAT) || !defined(MM_FAST) || !defined(MM_REGISTERS) || \
+    !defined(MM_COUNTED)
+#error "expected definitions of MM_REAL, MM_REAL_IS_FLOAT, MM_FAST, MM_REGISTERS and MM_COUNTED"
+#endif
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Passes the scene by reference, to avoid a copy in each call of an estimator.

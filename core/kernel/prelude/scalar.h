@@ -2,6 +2,9 @@
 // Prelude in scalar C++. Before including it, define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1 or 0). Include
 // it inside a namespace and before the kernel source; undefine.h removes its macros.
 
+#if !defined(MM_REAL) || !defined(MM_REAL_IS_FLOAT)
+#error "expected definitions of MM_REAL and MM_REAL_IS_FLOAT"
+#endif
 #ifndef FN
 #define FN __attribute__((always_inline)) inline
 #endif

@@ -1,23 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes finished pixels from packs to the canvas.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_PIXELS_INL_H
-#define MM_PIXELS_INL_H
-
-#include <cstddef>
-#include <cstdint>
-
-#include "backends/openmp/rays-inl.h"
-#include "backends/openmp/variant.h"
-#include "core/image/tile.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 // Stores the values of the active lanes, without gaps.
 HWY_INLINE void store_compact(const whole& from, const mask& on, Int* to)
 {
@@ -126,10 +109,3 @@ HWY_NOINLINE void store_pixels(const Pixel& pixel, whole places, mask on, const 
     static_cast<void>(spent);
 #endif
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

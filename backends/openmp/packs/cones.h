@@ -1,22 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marches one cone around all rays of a subtile, to find how far these rays can advance together.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_CONES_INL_H
-#define MM_CONES_INL_H
-
-#include "backends/openmp/blocks-inl.h"
-#include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/passes-inl.h"
-#include "backends/openmp/pixels-inl.h"
-#include "backends/openmp/rays-inl.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 HWY_INLINE void count_cones(const counter& de_calls, const counter& iterations, const mask& on, WorkCounts& spent)
 {
 #if MM_COUNTED
@@ -66,10 +50,3 @@ HWY_NOINLINE void march_cone_pool(Drawing& d)
                                      [&](RayPack& a, const mask& ended) MM_INLINED { end_cones(d, a, ended); });
     }
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

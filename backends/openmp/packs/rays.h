@@ -1,21 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packs of rays and of hits, loaded from and stored to pools.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_RAYS_INL_H
-#define MM_RAYS_INL_H
-
-#include <cstddef>
-
-#include "backends/openmp/pack-inl.h"
-#include "backends/openmp/variant.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 using Pool = RayPool<MM_REAL>;
 static_assert(pack_lanes <= most_lanes);
 
@@ -49,7 +34,7 @@ constexpr unsigned shared_bits = 3 << 9;  // of a HitPack; uses the array of `ro
 // Fields of integer type:
 constexpr unsigned steps_bit = 1 << 0;
 constexpr unsigned pixel_bit = 1 << 1;
-constexpr unsigned work_bits = 3 << 2;  // numbers of DE evaluations and of iterations
+constexpr unsigned work_bits = MM_COUNTED ? 3 << 2 : 0;  // numbers of DE evaluations and of iterations
 constexpr unsigned every_whole = steps_bit | pixel_bit | work_bits;
 
 // A set of fields.
@@ -67,61 +52,31 @@ constexpr Fields room_alone{room_bit, 0};
 constexpr Fields marched{t_bit | sample_bits, steps_bit | work_bits};
 constexpr Fields refined{end_bit | t_bit | sample_bits, work_bits};
 
-// Calls on_real(array number, pack) or on_whole(array number, pack) for each field of the set `some`. Direction and t
-// of the next sample have the same array numbers in a RayPack and a HitPack.
+// Calls on_field(n, field) for each field whose bit n is in `some`. The fields are numbered in order, from n.
+template <unsigned some, unsigned n = 0, class OnField, class Field, class... Rest>
+HWY_INLINE void each_of(OnField& on_field, Field& field, Rest&... rest)
+{
+    if constexpr ((some >> n & 1) != 0) on_field(n, field);
+    if constexpr (sizeof...(rest) > 0) each_of<some, n + 1>(on_field, rest...);
+}
+
+// Calls on_real(array number, field) or on_whole(array number, field) for each field of the set `some`.
 template <Fields some, class OnReal, class OnWhole>
 HWY_INLINE void each_field(RayPack& a, OnReal on_real, OnWhole on_whole)
 {
-    const auto real_field = [&](unsigned f, real& v) MM_INLINED {
-        if ((some.reals >> f & 1) != 0) on_real(f, v);
-    };
-    const auto whole_field = [&](unsigned f, whole& v) MM_INLINED {
-        if ((some.wholes >> f & 1) != 0) on_whole(f, v);
-    };
-    real_field(0, a.ray.direction.x);
-    real_field(1, a.ray.direction.y);
-    real_field(2, a.ray.direction.z);
-    real_field(3, a.ray.end);
-    real_field(4, a.ray.t);
-    real_field(5, a.ray.last_t);
-    real_field(6, a.ray.last_distance);
-    real_field(7, a.ray.before_t);
-    real_field(8, a.ray.before_distance);
-    real_field(9, a.room);
-    whole_field(0, a.ray.steps);
-    whole_field(1, a.pixel);
-#if MM_COUNTED
-    whole_field(2, a.ray.de_calls);
-    whole_field(3, a.ray.iterations);
-#endif
+    Ray& ray = a.ray;
+    each_of<some.reals>(on_real, ray.direction.x, ray.direction.y, ray.direction.z, ray.end, ray.t, ray.last_t,
+                        ray.last_distance, ray.before_t, ray.before_distance, a.room);
+    each_of<some.wholes>(on_whole, ray.steps, a.pixel, ray.de_calls, ray.iterations);
 }
 
 template <Fields some, class OnReal, class OnWhole>
 HWY_INLINE void each_field(HitPack& a, OnReal on_real, OnWhole on_whole)
 {
-    const auto real_field = [&](unsigned f, real& v) MM_INLINED {
-        if ((some.reals >> f & 1) != 0) on_real(f, v);
-    };
-    const auto whole_field = [&](unsigned f, whole& v) MM_INLINED {
-        if ((some.wholes >> f & 1) != 0) on_whole(f, v);
-    };
-    real_field(0, a.hit.direction.x);
-    real_field(1, a.hit.direction.y);
-    real_field(2, a.hit.direction.z);
-    real_field(3, a.hit.state);
-    real_field(4, a.hit.t);
-    real_field(5, a.hit.below_t);
-    real_field(6, a.hit.below_f);
-    real_field(7, a.hit.above_t);
-    real_field(8, a.hit.above_f);
-    real_field(9, a.shared.along_normal);
-    real_field(10, a.shared.sunwards);
-    whole_field(0, a.hit.steps);
-    whole_field(1, a.pixel);
-#if MM_COUNTED
-    whole_field(2, a.hit.de_calls);
-    whole_field(3, a.hit.iterations);
-#endif
+    Hit& hit = a.hit;
+    each_of<some.reals>(on_real, hit.direction.x, hit.direction.y, hit.direction.z, hit.state, hit.t, hit.below_t,
+                        hit.below_f, hit.above_t, hit.above_f, a.shared.along_normal, a.shared.sunwards);
+    each_of<some.wholes>(on_whole, hit.steps, a.pixel, hit.de_calls, hit.iterations);
 }
 
 HWY_INLINE real load_lanes(const MM_REAL* from)
@@ -147,10 +102,6 @@ HWY_INLINE void store_lanes(const whole& from, Int* to)
 {
     EACH_REGISTER(hn::StoreU(from.of[u], Wholes(), to + u * register_lanes);)
 }
-
-#if !MM_COUNTED
-HWY_INLINE void store_lanes(const counter&, Int*) {}
-#endif
 
 template <class Kind, Fields held = every_field>
 HWY_INLINE Kind load(const Pool& pool, int from)
@@ -199,6 +150,7 @@ HWY_INLINE hn::Vec<Wholes> compressed(hn::Vec<Wholes> a, hn::Mask<Reals> on)
 }
 
 // append() is inlined if compressed() is a single instruction; otherwise its code is too long.
+#undef MM_APPEND
 #if HWY_TARGET <= HWY_AVX3
 #define MM_APPEND HWY_INLINE
 #else
@@ -258,10 +210,3 @@ HWY_INLINE mask aim(const Scene& scene, Hit& hit, const mask& on)
     hit = aimed(hit, coarse);
     return coarse && hit.state > settled();
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

@@ -1,23 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Profile: renders tiles as pool-inl.h does, and times each stage. Shades hits in three separate passes (normals,
+// Profile: renders tiles as pool.h does, and times each stage. Shades hits in three separate passes (normals,
 // colours, output), so that each can be timed.
-
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_PROFILE_INL_H
-#define MM_PROFILE_INL_H
-
-#include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/passes-inl.h"
-#include "backends/openmp/pixels-inl.h"
-#include "backends/openmp/pool-inl.h"
-#include "backends/openmp/rays-inl.h"
-#include "backends/openmp/variant.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
 
 constexpr int most_packs = pool_rays / pack_lanes + 2;
 
@@ -109,17 +92,10 @@ private:
 // Renders tiles until none are left, and adds the seconds of each Stage to `seconds`. `at`: a ProfileMemory. The given
 // Shading is used only when another pass must make room in the pool of ended rays.
 template <const Sampling& sampling, const Shading& shading>
-void profile(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at, double (*clock)(),
-             double* seconds)
+void profile(const KernelScene<MM_REAL>& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at,
+             double (*clock)(), double* seconds)
 {
     ProfileMemory& memory = *static_cast<ProfileMemory*>(at);
-    Drawing d = drawing(*static_cast<const Scene*>(data), canvas, tiles, memory.pools, sampling, shading);
+    Drawing d = drawing(scene_as<Scene>(scene), canvas, tiles, memory.pools, sampling, shading);
     draw_with(d, StageClock(memory, clock, seconds));
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

@@ -1,23 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Subtiles: blocks of 8 x 8 pixels whose rays begin together.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_BLOCKS_INL_H
-#define MM_BLOCKS_INL_H
-
-#include <cstddef>
-#include <cstdint>
-
-#include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/pixels-inl.h"
-#include "core/image/tile.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 constexpr int block_pixels = block_side * block_side;
 constexpr int tile_blocks = tile_pixels / block_pixels;
 constexpr int most_blocks = 32;  // number of subtiles begun together, so that their cones fill packs
@@ -84,10 +67,3 @@ HWY_INLINE void paint(const Drawing& d, Int left, Int bottom, const PaintedRow& 
 // Returns true if a subtile without hits can be painted without rays: the background has a single colour, and the
 // picture stores only bytes.
 HWY_INLINE bool paints_background(const Drawing& d) { return d.canvas.bytes != nullptr && d.scene.colouring <= 1; }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

@@ -1,21 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Passes over all rays of a pool: marching, refinement, shading.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_PASSES_INL_H
-#define MM_PASSES_INL_H
-
-#include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/pixels-inl.h"
-#include "backends/openmp/rays-inl.h"
-#include "backends/openmp/sharing-inl.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
 {
     mask on;
@@ -32,7 +17,7 @@ HWY_INLINE void step_pool(Drawing& d, Pool& pool, StepKind kind, Ended ended)
     pool.size = 0;
     for (int from = 0; from < size; from += d.sampling.registers * register_lanes) {
         hn::Mask<Reals> going[most_lanes / register_lanes];
-        d.sampling.take_steps(&d.scene, d.canvas, pool, kind, from, size - from, going);
+        d.sampling.take_steps(scene_as<KernelScene<MM_REAL>>(d.scene), d.canvas, pool, kind, from, size - from, going);
         for (int u = 0; u < d.sampling.registers; ++u) {
             const int at = from + u * register_lanes;
             Kind a = load<Kind, held>(pool, at);
@@ -61,7 +46,8 @@ template <Fields held>
 HWY_INLINE void shade_packs_of(Drawing& d, Pool& pool, bool all)
 {
     const int count = all ? pool.size : pool.size / d.shading.lanes * d.shading.lanes;
-    (held.reals == arrived.reals ? d.shading.shade : d.shading.shade_sharing)(&d.scene, pool, count, d.canvas, d.spent);
+    const ShadeHits shade = held.reals == arrived.reals ? d.shading.shade : d.shading.shade_sharing;
+    shade(scene_as<KernelScene<MM_REAL>>(d.scene), pool, count, d.canvas, d.spent);
     keep_rest<held>(pool, count);
 }
 
@@ -162,10 +148,3 @@ HWY_NOINLINE void march_pool(Drawing& d)
         step_pool<RayPack, roomless>(d, d.pools.marching, StepKind::march, ended);
     }
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

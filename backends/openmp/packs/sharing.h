@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds hits that can share the occlusion of adjacent pixels, which were rendered earlier and show the same surface.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_SHARING_INL_H
-#define MM_SHARING_INL_H
-
-#include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/rays-inl.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 // Conditions for sharing, selected by how much sharing changes pictures (docs/notes/experiments.md).
 constexpr MM_REAL same_surface = MM_REAL(0.02);  // max relative difference of the depths of pixels on one surface
 constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of along_normal + sunwards among the neighbours
@@ -94,10 +81,3 @@ HWY_INLINE mask find_shared(const Drawing& d, HitPack& a, const mask& on)
 // Returns true if the hits of this lattice share occlusion. Only the last lattice does, whose neighbours are two pixels
 // apart.
 HWY_INLINE bool shares(const Drawing& d) { return d.canvas.sunwards != nullptr && d.canvas.lattice.before == 2; }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

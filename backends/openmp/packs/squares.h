@@ -1,22 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Begins the rays of a square of pixels of a lattice.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_SQUARES_INL_H
-#define MM_SQUARES_INL_H
-
-#include "backends/openmp/blocks-inl.h"
-#include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/passes-inl.h"
-#include "backends/openmp/pixels-inl.h"
-#include "backends/openmp/rays-inl.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 // A square of `across` x `across` pixels of a lattice. Adjacent ones are 2^log2_apart pixels of the picture apart.
 struct Square {
     int left;  // column of the first pixel
@@ -111,10 +95,3 @@ HWY_NOINLINE void begin_square(Drawing& d, const Square& square, bool painted)
         }
     }
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

@@ -1,20 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shading of packs of hits, for pools.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_SHADING_INL_H
-#define MM_SHADING_INL_H
-
-#include "backends/openmp/pixels-inl.h"
-#include "backends/openmp/rays-inl.h"
-#include "backends/openmp/width-inl.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 // Stores the occlusion of hits on the canvas. The hits of later pixels between them can share it.
 HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Occlusion& found,
                                    const mask& on)
@@ -35,10 +21,10 @@ HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& p
 // Shades the first `count` hits of a pool in a picture with shared occlusion. If the template argument `shared` is
 // true, the hits already have the occlusion of their neighbours; otherwise it is computed.
 template <bool shared>
-HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas,
-                                   WorkCounts& spent)
+HWY_NOINLINE void shade_among_rays(const KernelScene<MM_REAL>& data, const Pool& pool, int count,
+                                   const Canvas<MM_REAL>& canvas, WorkCounts& spent)
 {
-    const Scene& scene = *static_cast<const Scene*>(data);
+    const Scene& scene = scene_as<Scene>(data);
     for (int from = 0; from < count; from += pack_lanes) {
         HitPack a = load < HitPack, shared ? arrived_sharing : arrived > (pool, from);
         const mask on = first_lanes(count - from);
@@ -62,11 +48,11 @@ HWY_NOINLINE void shade_among_rays(const void* data, const Pool& pool, int count
 }
 
 // Shades the first `count` hits of a pool.
-HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, const Canvas<MM_REAL>& canvas,
-                             WorkCounts& spent)
+HWY_NOINLINE void shade_rays(const KernelScene<MM_REAL>& data, const Pool& pool, int count,
+                             const Canvas<MM_REAL>& canvas, WorkCounts& spent)
 {
     if (canvas.sunwards != nullptr) return shade_among_rays<false>(data, pool, count, canvas, spent);
-    const Scene& scene = *static_cast<const Scene*>(data);
+    const Scene& scene = scene_as<Scene>(data);
     for (int from = 0; from < count; from += pack_lanes) {
         HitPack a = load<HitPack, arrived>(pool, from);
         const mask on = first_lanes(count - from);
@@ -77,10 +63,3 @@ HWY_NOINLINE void shade_rays(const void* data, const Pool& pool, int count, cons
 }
 
 constexpr Shading shading{pack_lanes, shade_rays, shade_among_rays<true>};
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

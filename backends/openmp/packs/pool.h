@@ -4,25 +4,10 @@
 // A pool of rays, stored as a structure of arrays, is marched by some steps at a time. Rays that continue are stored
 // without gaps. Hits wait in a second pool until whole packs of them can be refined and shaded. When the first pool
 // runs low, the rays of another tile are added. So a lane waits for slower ones within a DE evaluation and, once its
-// ray has ended, until a quarter of its pack's rays have ended, but for at most 15 steps (samples-inl.h).
+// ray has ended, until a quarter of its pack's rays have ended, but for at most 15 steps (samples.h).
 //
 // The scheduler itself processes one SIMD register at a time, so that its values stay in registers. DE evaluations and
 // shading use wider packs, in which the operations of one register hide the latency of another's.
-
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_POOL_INL_H
-#define MM_POOL_INL_H
-
-#include "backends/openmp/begin-inl.h"
-#include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/passes-inl.h"
-#include "backends/openmp/variant.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
 
 // Clock of draw_tiles(). It measures nothing.
 struct NoClock {
@@ -52,25 +37,18 @@ HWY_INLINE void draw_with(Drawing& d, Clock clock)
     clock.finish(d);
 }
 
-HWY_MAYBE_UNUSED WorkCounts draw_tiles(const void* data, const Canvas<MM_REAL>& canvas, const Tiles& tiles,
-                                       void* memory, const Sampling& sampling, const Shading& shading)
+HWY_MAYBE_UNUSED WorkCounts draw_tiles(const KernelScene<MM_REAL>& scene, const Canvas<MM_REAL>& canvas,
+                                       const Tiles& tiles, void* memory, const Sampling& sampling,
+                                       const Shading& shading)
 {
-    Drawing d =
-        drawing(*static_cast<const Scene*>(data), canvas, tiles, *static_cast<Pools*>(memory), sampling, shading);
+    Drawing d = drawing(scene_as<Scene>(scene), canvas, tiles, *static_cast<Pools*>(memory), sampling, shading);
     draw_with(d, NoClock());
     return d.spent;
 }
 
 // Calls draw_tiles() with Sampling and Shading as template parameters, so that its address can be stored in a Variant.
 template <const Sampling& sampling, const Shading& shading>
-WorkCounts draw(const void* scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
+WorkCounts draw(const KernelScene<MM_REAL>& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {
     return draw_tiles(scene, canvas, tiles, memory, sampling, shading);
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

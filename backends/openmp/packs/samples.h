@@ -1,20 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marching and refinement steps on packs of a pool. Each step makes one DE evaluation.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_SAMPLES_INL_H
-#define MM_SAMPLES_INL_H
-
-#include "backends/openmp/rays-inl.h"
-#include "backends/openmp/variant.h"
-#include "backends/openmp/width-inl.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 // Max steps of a pack before the rays that continue are compacted again.
 constexpr int steps_at_once = 16;
 
@@ -61,10 +47,10 @@ HWY_INLINE mask refine_on(const Scene& scene, Pool& pool, int from, const Estima
 }
 
 // A single function takes the steps of all kinds, so that the estimator is compiled once, inside the function's loop.
-HWY_NOINLINE void take_steps(const void* data, const Canvas<MM_REAL>& canvas, Pool& pool, StepKind kind, int from,
-                             int rays, hn::Mask<Reals>* going)
+HWY_NOINLINE void take_steps(const KernelScene<MM_REAL>& data, const Canvas<MM_REAL>& canvas, Pool& pool, StepKind kind,
+                             int from, int rays, hn::Mask<Reals>* going)
 {
-    const Scene& scene = *static_cast<const Scene*>(data);
+    const Scene& scene = scene_as<Scene>(data);
     mask on = first_lanes(rays);
     const int enough = (rays < pack_lanes ? rays : pack_lanes) * 3 / 4;
     int step = 0;
@@ -83,10 +69,3 @@ HWY_NOINLINE void take_steps(const void* data, const Canvas<MM_REAL>& canvas, Po
 }
 
 constexpr Sampling sampling{MM_REGISTERS, take_steps};
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

@@ -1,20 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // State of a thread's rendering, and the pools of its rays.
 
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_DRAWING_INL_H
-#define MM_DRAWING_INL_H
-
-#include "backends/openmp/rays-inl.h"
-#include "backends/openmp/variant.h"
-#include "backends/openmp/width-inl.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
-
 static_assert(MM_REGISTERS == 1);
 
 // The ray pools of a thread.
@@ -50,10 +36,3 @@ HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, co
     around_blocks.hull = canvas.block_hull;
     return {scene, around_blocks, canvas, tiles, pools, sampling, shading, {0, 0, 0}};
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif

@@ -1,24 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Begins the rays of tiles. Before that, a cone around the rays of each subtile is marched (cones-inl.h).
-
-// Include guard for one pack; end_pack.h removes it.
-#ifndef MM_BEGIN_INL_H
-#define MM_BEGIN_INL_H
-
-#include <cstddef>
-
-#include "backends/openmp/blocks-inl.h"
-#include "backends/openmp/cones-inl.h"
-#include "backends/openmp/drawing-inl.h"
-#include "backends/openmp/rays-inl.h"
-#include "backends/openmp/squares-inl.h"
-#include "core/image/tile.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mandelmarch::openmp {
-namespace HWY_NAMESPACE {
-namespace {
-namespace MM_PACK {
+// Begins the rays of tiles. Before that, a cone around the rays of each subtile is marched (cones.h).
 
 constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 
@@ -159,10 +140,3 @@ HWY_NOINLINE bool begin_tiles(Drawing& d)
     }
     return more;
 }
-
-}  // namespace MM_PACK
-}  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace mandelmarch::openmp
-HWY_AFTER_NAMESPACE();
-#endif
