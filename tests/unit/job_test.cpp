@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// core/job: the renderer of a model, and the calls that it makes to the model's device. A fake model records the calls.
+// Tests the renderer of core/job with a fake programming model, which records the calls to its device.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -119,8 +119,8 @@ TEST_F(KernelArguments, KernelIsTheDevicesOwnTime)
     EXPECT_LT(timings.host, device_seconds);
 }
 
-// With refill, each thread gets so many pixels that two waves of threads are left, but at most eight pixels; without
-// refill it gets one.
+// With refill, a thread gets up to eight pixels, but only so many that two waves of threads remain. Without refill, it
+// gets one.
 TEST_F(KernelArguments, FewPixelsLeaveAThreadForEach)
 {
     const auto pixels_of_thread = [&](bool refill, int width, int height) {
