@@ -48,7 +48,7 @@ TEST_P(Winners, AreNamedWithTheirLeadAndItsCertainty)
 }
 
 // Negative controls: there is no winner if the runs contradict each other, if the lead is within the margin, or if
-// there are few pictures. The scalar kernel is a rival, the reference is none.
+// there are few pictures. The scalar kernel counts as a rival, the reference does not.
 INSTANTIATE_TEST_SUITE_P(
     Rows, Winners,
     testing::Values(Won{"Certain",
