@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Broken backends must fail the checks that real backends pass, on the tests' scenes and on random ones. The same
-// backend without the defect passes, so it is the defect that the checks detect.
+// backends pass without the defect.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
