@@ -45,7 +45,7 @@ function(mandelmarch_sibling preset cost)
         WORKING_DIRECTORY ${source})
 endfunction()
 # Build with clang the programs whose pictures are compared, with sanitizers the programs to test, and with
-# tests/fractals/sierpinski as the only fractal the programs that programs_test.sh runs.
+# tests/fractals/sierpinski as the only fractal the programs and tests for every fractal.
 mandelmarch_sibling(clang 1 mandelbulb mandelbox imgdiff)
 mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
 mandelmarch_sibling(tsan 2 same_bits_test race_twin)
