@@ -26,7 +26,7 @@ Row raced(const std::string& backend, double seconds, double spread, int runs = 
 struct Won {
     const char* name;
     std::vector<Row> rows;
-    std::vector<std::string> lines;  // parts of the output
+    std::vector<std::string> lines;  // texts that the output must contain
     int runs = 5;
 };
 

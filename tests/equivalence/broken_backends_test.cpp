@@ -18,6 +18,7 @@
 namespace mandelmarch {
 namespace {
 
+// last_picture: the previous picture is returned if it has the same size. other_work: no work is reported.
 enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down, other_work, error };
 
 class BrokenRenderer : public Renderer {

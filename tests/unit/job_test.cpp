@@ -23,10 +23,11 @@ void draw(const void* address, int width, int rows)
     job.bytes[1] = static_cast<unsigned char>(job.pixels_of_thread);
 }
 
+// Calls that the fake model received.
 struct Asked {
     int allocations = 0;
     int launches = 0;
-    int current = 0;  // depth of run()
+    int current = 0;  // calls of run() in progress
     std::set<void*> held;
     bool outside = false;  // a device call was made outside the device's thread
 };

@@ -13,6 +13,7 @@
 namespace mandelmarch {
 namespace {
 
+// A fake backend with the given information and one device, which renders nothing.
 class Made : public Backend {
 public:
     Made(std::string name, BackendInfo info, bool has_gpu = false)
