@@ -65,13 +65,14 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     app.add_option("--seed", options.seed, "plan, film: random seed of the route")
         ->check(whole(0, std::int64_t{1} << 53))
         ->capture_default_str();
-    const std::string changing = " in flight: A, A:B (first to last frame) or 0s=A,60s=B (at seconds)";
+    const std::string changing =
+        ": A, or changing in flight: A:B (from first to last frame) or 0s=A,60s=B (at seconds)";
     app.add_option("--power", options.power, "plan, film: the Mandelbulb's power" + changing);
     app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale" + changing);
     add_estimate_option(app, options.conservative);
     app.add_option_function<std::string>(
         "--frames", [&](const std::string& text) { given.frames = frames_option(text); },
-        "plan, film: number of frames, without the title (default: 4 minutes); render: only frames A-B, from 0");
+        "plan, film: number of frames, without the title (default: 4 minutes); render: only frames A-B (from 0)");
     app.add_option("--fps", given.rate, "plan, film: frames per second, recorded in the path file (default 30)")
         ->check(whole(1, most_frames_per_second));
     app.add_option_function<std::string>(
@@ -94,10 +95,10 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     app.add_option("--output", options.output,
                    "plan: path file (default path.json); film, render: .mp4, .mkv, .webm or .gif (default video.mp4)");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
-    app.add_option(
-        "--map", options.map,
-        "plan, film: write the free spheres (balls) and narrow passages (gates) of the planner, and the clearance "
-        "at every frame, to this file, as JSON");
+    app.add_option("--map", options.map,
+                   "plan, film: write the data for a drawing of the flight to this file, as JSON: free spheres and "
+                   "narrow passages near the path, and for every frame the camera's position, turn and distance to the "
+                   "surface");
     app.add_option("--summary", options.summary,
                    "film, render: write device, frames and seconds per frame to this file, as JSON");
     app.add_option("--title", options.title,
@@ -113,7 +114,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
         [&](const std::string& text) { options.segments = range_option("segments", text, "A-B, such as 0-9"); },
         "render only segments A-B (60 frames each, from 0), and do not join them into a film");
     app.add_flag("--force", options.force,
-                 "render even if the path exceeds a hard limit of the audit (a promise, marked ! in its output)");
+                 "render even if the path breaks a promise: a hard limit, marked ! in the audit's output");
     app.footer(
         "Commands: plan writes a path file and prints its audit; audit prints the audit of a path file; render makes a "
         "film from a path file; film plans, prints the audit and renders.\n"

@@ -116,13 +116,13 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         ->needs(list);
     app.add_flag(
         "--print-scene", options.print_scene,
-        "print, as JSON, the scene that kernels receive, with the step factor as it is before a trial render can "
-        "shorten it; renders nothing");
+        "print the kernels' scene as JSON and render nothing; the step factor is the initial one, which a trial render "
+        "may reduce");
     app.footer(fmt::format(
-        "Memory: {} bytes per pixel; for an EXR file {}, and {} more if it goes into a pipe; plus about {} MiB in all. "
-        "16384 x 16384 pixels need {} MiB as BMP or PNG. With --samples N, each sample needs as much as a pixel.\n"
-        "With --region, --size may have sides of up to 1000000 pixels. In exact mode a region has the same bits as in "
-        "the whole picture.\n"
+        "Memory: {} bytes per pixel, for an EXR file {}, for an EXR file into a pipe {} more; in addition about {} "
+        "MiB. 16384 x 16384 pixels need {} MiB as BMP or PNG. With --samples N, a pixel needs N x N times as much.\n"
+        "With --region, --size may have sides of up to 1000000 pixels. In exact mode a region has the same bits as "
+        "that part of the whole picture.\n"
         "Channels of an EXR file: R, G, B (linear light, Rec. 709), displayed.R, displayed.G, displayed.B (as shown on "
         "a screen), Z (length of the ray), steps and iterations.\n"
         "The field of view in a parameter file is vertical; 1 means 65 degrees.\n"

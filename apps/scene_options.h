@@ -22,7 +22,7 @@ inline CLI::Option* add_fractal_option(CLI::App& app, std::string& name)
 {
     std::string names;
     for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-    return app.add_option("--fractal", name, names);
+    return app.add_option("--fractal", name, "fractal: " + names);
 }
 
 inline void add_threads_option(CLI::App& app, int& threads)
@@ -37,8 +37,8 @@ inline void add_estimate_option(CLI::App& app, bool& conservative)
     add_choice(
         app, "--estimate", conservative,
         {{std::string(original_estimate), false}, {std::string(conservative_estimate), true}},
-        "distance estimate; original: as in the program that exact mode follows; conservative: rarely more than the "
-        "true distance");
+        "distance estimate; original: the formula of the original program, which exact mode reproduces; conservative: "
+        "rarely more than the true distance");
 }
 
 inline void add_projection_option(CLI::App& app, Projection& projection)

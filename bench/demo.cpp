@@ -100,7 +100,8 @@ int body(int argc, char** argv)
         ->check(whole(16, 4096))
         ->capture_default_str();
     app.add_option("--folder", path, "write the pictures and the table (demo.json) to this folder");
-    app.footer("Exit codes: 0 success, 1 a picture or a device failed, 2 bad input." + environment_help("demo"));
+    app.footer("Exit codes: 0 success, 1 a wrong picture or a device that failed, 2 bad input." +
+               environment_help("demo"));
     if (const auto done = parse_arguments(app, "demo", argc, argv)) return *done;
 
     const Registry registry = program_backends(argc, argv);

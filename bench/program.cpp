@@ -24,7 +24,7 @@ constexpr Command commands[] = {
     {"csv", "print a stored result, FILE.json, as --csv does", csv_command},
     {"json", "print a stored result, FILE.json, in the current format, with all figures recomputed", json_command},
     {"schema", "print the JSON Schema of a kind of file: result, duel, ...", schema_command},
-    {"peak", "measure the multiply-add peak of every device", peak_command},
+    {"peak", "measure the peak rate of multiply-adds of every device", peak_command},
     {"portability", "compute Pennycook's performance portability over result files: FILES...", portability_command},
     {"random", "measure fast mode's error on random scenes", random_command},
     {"equivalence", "check exact mode bit for bit on random scenes, with every backend", equivalence_command}};
@@ -46,7 +46,7 @@ int bench_program(const Registry& registry, int argc, char** argv)
     app.set_version_flag("--version", version_line("bench"));
     app.require_subcommand(0, 1);
     app.footer(
-        "Options of a command stand after its name; `bench COMMAND --help` lists them.\n"
+        "Give a command's options after its name; `bench COMMAND --help` lists them.\n"
         "Exit codes: 0 success, 1 wrong picture, regression or failure, 2 wrong arguments, 77 the only selected "
         "backend is not available. docs/bench-output.md explains every figure." +
         environment_help("bench"));

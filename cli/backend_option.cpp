@@ -13,7 +13,7 @@ void add_backend_option(CLI::App& app, std::string& name, const Registry& regist
 {
     std::vector<std::string> names = registry.names();
     names.insert(names.begin(), "auto");
-    app.add_option("--backend", name, "rendering backend; auto: on a GPU if one is present, else openmp")
+    app.add_option("--backend", name, "rendering backend; auto: one for GPUs if a GPU is present, else openmp")
         ->check(CLI::IsMember(names))
         ->capture_default_str();
     add_isolation_option(app);
@@ -21,7 +21,8 @@ void add_backend_option(CLI::App& app, std::string& name, const Registry& regist
 
 void add_isolation_option(CLI::App& app)
 {
-    app.add_flag("--no-isolation")->description("run device drivers in this process, for profilers and debuggers");
+    app.add_flag("--no-isolation")
+        ->description("run device drivers in this process instead of their own, for profilers and debuggers");
 }
 
 std::string unheeded(const Backend& backend, const RendererOptions& options)

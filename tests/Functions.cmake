@@ -20,8 +20,8 @@ function(mandelmarch_test name)
 endfunction()
 
 # mandelmarch_cases(NAME FILE [QUICK CASE...] [SLOW CASE...] [WIDE CASE...] [ARGUMENTS WORD...]): adds a test NAME.CASE
-# for each function test_CASE of a shell script of this folder, run by tests/cases.sh. All its functions must be listed.
-# Its arguments are the programs' folder and the source folder, if no others are given.
+# for each function test_CASE of a shell script of this folder, run by tests/cases.sh. All functions must be listed.
+# Without ARGUMENTS, the script gets the programs' folder and the source folder.
 function(mandelmarch_cases name file)
     cmake_parse_arguments(PARSE_ARGV 2 with "" "" "QUICK;SLOW;WIDE;ARGUMENTS")
     if(NOT DEFINED with_ARGUMENTS)
@@ -38,8 +38,8 @@ function(mandelmarch_cases name file)
     endforeach()
 endfunction()
 
-# mandelmarch_script(NAME FILE [SLOW | WIDE] [ARGUMENTS WORD...]): adds a test that runs a script of this folder, a .sh or
-# a .py. Its arguments are the programs' folder and the source folder, if no others are given.
+# mandelmarch_script(NAME FILE [SLOW | WIDE] [ARGUMENTS WORD...]): adds a test that runs a script of this folder, a .sh
+# or a .py. Without ARGUMENTS, the script gets the programs' folder and the source folder.
 function(mandelmarch_script name file)
     cmake_parse_arguments(PARSE_ARGV 2 with "" "" "ARGUMENTS")
     if(NOT DEFINED with_ARGUMENTS)
@@ -53,8 +53,9 @@ function(mandelmarch_script name file)
         COMMAND ${interpreter} ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${with_ARGUMENTS})
 endfunction()
 
-# mandelmarch_gtest(TARGET [WIDE] [PREFIX TEXT] [SLOW NAME...] SOURCES FILE... [LIBRARIES TARGET...]): adds a program of
-# GoogleTest's and its tests. PREFIX precedes the tests' names; SLOW: GoogleTest's patterns of the slow ones.
+# mandelmarch_gtest(TARGET [WIDE] [PREFIX TEXT] [SLOW NAME...] SOURCES FILE... [LIBRARIES TARGET...]): adds a GoogleTest
+# program and its tests. PREFIX: text put before the tests' names; SLOW: patterns, in GoogleTest's syntax, of the slow
+# tests' names.
 function(mandelmarch_gtest target)
     cmake_parse_arguments(PARSE_ARGV 1 with "WIDE" "PREFIX" "SLOW;SOURCES;LIBRARIES")
     add_executable(${target} ${with_SOURCES})

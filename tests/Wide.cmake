@@ -8,7 +8,7 @@ if(MANDELMARCH_PATCHELF OR DEFINED ENV{CI})
     mandelmarch_cases(packaging packaging/bundle_test.sh WIDE bundle ARGUMENTS ${PROJECT_BINARY_DIR} ${source})
     set_tests_properties(packaging.bundle PROPERTIES RESOURCE_LOCK build)
 endif()
-# Kernels on a simulated GPU, whose driver one test builds for the others.
+# Run kernels on a simulated GPU. The test `driver` builds the GPU's driver for the other tests.
 set(tests_of_openacc bands)
 set(tests_of_cuda block_sizes)
 foreach(backend openacc cuda)
@@ -44,8 +44,8 @@ function(mandelmarch_sibling preset cost)
     set_tests_properties(build.${preset} PROPERTIES FIXTURES_SETUP ${preset} RESOURCE_LOCK build TIMEOUT 2400 COST ${cost}
         WORKING_DIRECTORY ${source})
 endfunction()
-# With clang, the programs whose pictures are compared; with sanitizers, the programs that are tested; with
-# tests/fractals/sierpinski as the only fractal, every backend and program.
+# Build with clang the programs whose pictures are compared, with sanitizers the programs to test, and with
+# tests/fractals/sierpinski as the only fractal the programs and tests for every fractal.
 mandelmarch_sibling(clang 1 mandelbulb mandelbox imgdiff)
 mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
 mandelmarch_sibling(tsan 2 same_bits_test race_twin)

@@ -16,7 +16,7 @@ cd "$top/folder" || exit 1
 fail() { echo "FAILED: $*" | tee -a "$top/failures"; }
 
 # expect CODE COMMAND...: runs the command, whose output goes to the files stdout and stderr, and checks its exit code.
-# With code 1 it may print one line on stderr, with 2 and 77 it must; with 2 and 77 it must not change files.
+# With code 1 it may print one line on stderr. With 2 or 77 it must print one line and must not change files.
 expect() {
     local wanted=$1 before lines got
     shift
@@ -41,7 +41,7 @@ says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 50
 prints() { grep -Eq -- "$1" stdout || fail "stdout does not have '$1': $(head -c 500 stdout)"; }
 silent() { [ ! -s stderr ] || fail "something on stderr: $(head -c 500 stderr)"; }
 
-# same_file A B, same_picture A B: expect equal bytes; equal pixels and depths.
+# same_file A B expects equal bytes, same_picture A B equal pixels and depths, other_picture A B different ones.
 same_file() { cmp -s "$1" "$2" || fail "$1 is not $2 ${3:-}"; }
 same_picture() { "$bin/imgdiff" "$1" "$2" >difference || fail "$1 and $2 differ: $(tr '\n' ' ' <difference)"; }
 other_picture() { "$bin/imgdiff" "$1" "$2" >difference && fail "$1 and $2 are the same picture"; }

@@ -3,7 +3,7 @@
 """duel_study.py BENCH_SLOWED [--duels N] [--slower PERCENT] [--load N] [--table FILE]: measures how often bench duel is
 right on this machine. Runs N duels of a program with itself, and N with one that takes PERCENT longer
 (tests/bench/slowed_bench.cpp): on an idle machine by the wall clock, and with --load busy processes by the wall clock
-and by the processor's. A duel has ten runs of two configurations. Exit codes: 0 measured, 1 a duel failed."""
+and by processor time. A duel has ten runs of two configurations. Exit codes: 0 measured, 1 a duel failed."""
 import argparse
 import json
 import os

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Single numbers for the documents, by name. Each function takes the results and the arguments of its place."""
+"""Single numbers for the documents, by name. Each function takes the results and the arguments that its place in a
+document gives (figures.py)."""
 import re
 
 from mandelreport.bench import SCALAR
@@ -45,7 +46,7 @@ def ms(results, study, *row):
 
 
 def worth(results, technique, fractal, precision):
-    """Kernel time of a fast picture without a technique over the time with all techniques, with the interval."""
+    """Kernel time of a fast picture without a technique, divided by the time with all techniques, with the interval."""
     row = row_of(results, "ablation", fractal, precision, "fast", f"without={technique}")
     return bracketed(*ratio_of(results, "ablation", "to_first_value", row))
 
@@ -75,7 +76,7 @@ def over_scalar(results, study, fractal, precision, mode):
 
 
 def model_cost(results, study, *backends):
-    """Range of the speeds of backends with the scalar kernel over openmp's scalar kernel, per thread."""
+    """Range of the speeds of backends that run the scalar kernel, relative to openmp's scalar kernel, per thread."""
     speeds = []
     for row in rows_of(results, study):
         if row.backend in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
@@ -106,7 +107,7 @@ def range_of(values, places=1):
 
 
 def over_openmp(results, study, backend):
-    """Range of a backend's kernel times over openmp's in a study."""
+    """Range of a backend's kernel times divided by openmp's in a study."""
     found = [row for row in rows_of(results, study) if row.backend == backend]
     if not found:
         raise InputError(f"{study}.json has no rows of {backend}")
@@ -114,7 +115,7 @@ def over_openmp(results, study, backend):
 
 
 def work_over_openmp(results, study, backend):
-    """Range of a backend's counted operations over openmp's in a study."""
+    """Range of a backend's counted operations divided by openmp's in a study."""
     found = [row for row in rows_of(results, study) if row.backend == backend and row.operations]
     if not found:
         raise InputError(f"{study}.json has no rows of {backend}")
@@ -123,7 +124,7 @@ def work_over_openmp(results, study, backend):
 
 
 def one_register(results):
-    """Range of openmp's kernel times in packs of one register over those in its widest packs."""
+    """Range of openmp's kernel times in packs of one register divided by those in its widest packs."""
     ratios = []
     for fractal in FRACTALS:
         for precision, width in (("float", 16), ("double", 8)):

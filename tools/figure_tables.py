@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables for the documents, by name. Each function takes the results and the arguments of its place."""
+"""Tables for the documents, by name. Each function takes the results and the arguments that its place in a document
+gives (figures.py)."""
 import functools
 import re
 
@@ -41,7 +42,7 @@ def lines_of_code(results):
 
 
 def beside_openmp(results, study, key, backend):
-    """Kernel time of a backend over openmp's; "-" if it was not timed."""
+    """Kernel time of a backend divided by openmp's; "-" if the backend was not timed."""
     try:
         return bracketed(*ratio_of(results, study, "others_to_host", row_of(results, study, *key, backend)))
     except InputError:
@@ -74,7 +75,7 @@ def instruction_sets(results, *studies):
 
 
 def ablation(results):
-    """Gain from each technique of fast mode: the kernel time without it over the time with all techniques."""
+    """Gain from each technique of fast mode: the kernel time without it divided by the time with all techniques."""
     columns = [(fractal, precision) for fractal in FRACTALS for precision in ("double", "float")]
     rows = []
     for technique, name in TECHNIQUES.items():
@@ -149,7 +150,7 @@ def interval_ms(row):
 
 
 def work_cell(results, name, row):
-    """A configuration's counted operations over those of the scalar kernel; "-" if one of them is unknown."""
+    """A configuration's counted operations divided by the scalar kernel's; "-" if one of them is unknown."""
     work = results.bench(name).work_over_scalar(row, "openmp")
     return "-" if work is None else four(work)
 
@@ -179,7 +180,7 @@ def four_rows(results, name):
 
 
 def aloud(results, name):
-    """The last of the four rows in words."""
+    """The last row of four_rows(), in words."""
     row = row_of(results, name, "box", "float", "fast")
     low, high = interval_ms(row)
     width, height = row.size

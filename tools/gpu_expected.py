@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """gpu_expected.py PROGRAMS LANES.json... [--gpu K40|H100] [--table FILE]: predicts the kernel time of a 1920 x 1080
-frame on a GPU, from the steps and iterations of each pixel, counted by PROGRAMS/render; the active lanes counted by
-bench (LANES: results of the study box-vs-bulb in both modes); and the machine code of the kernels in
+frame on a GPU. Computes it from three sources: steps and iterations of each pixel, counted by PROGRAMS/render; active
+lanes, counted by bench (LANES: results of the study box-vs-bulb in both modes); and the machine code of the kernels in
 PROGRAMS/render."""
 import argparse
 import functools

@@ -21,7 +21,7 @@ ROOT = os.path.join(HERE, "..")
 
 
 class Entry:
-    """One line of the list. `minutes`: of all runs, estimated."""
+    """One line of the list. `minutes`: estimated time of all runs."""
 
     def __init__(self, line, number):
         words = shlex.split(line)

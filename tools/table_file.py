@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Output of the tools: printed, and written to a file completely or not at all."""
+"""Prints the output of a tool, and writes it to a file completely or not at all."""
 import os
 import sys
 

@@ -68,15 +68,20 @@ Run duel_command(CLI::App& app, const Registry& registry)
     app.add_option("--seed", o.rows.seed, "seed for the order of pictures")
         ->check(whole(0, 1'000'000'000))
         ->capture_default_str();
-    app.add_option("--runs", o.runs, "processes of each program")->check(whole(2, 1000))->capture_default_str();
-    app.add_option("--repetitions", o.rounds, "rounds in each run")->check(whole(1, 100'000))->capture_default_str();
-    app.add_option("--margin", o.margin, "ratios within this distance of 1 count as same")
+    app.add_option("--runs", o.runs, "number of times that each program is started")
+        ->check(whole(2, 1000))
+        ->capture_default_str();
+    app.add_option("--repetitions", o.rounds, "rounds in each run; in a round each program renders each picture once")
+        ->check(whole(1, 100'000))
+        ->capture_default_str();
+    app.add_option("--margin", o.margin, "ratios of times from 1 / (1 + margin) to 1 + margin count as same")
         ->check(real(0, 1))
         ->capture_default_str();
     app.add_option_function<std::string>(
            "--clock",
            [&o](const std::string& text) { o.clock = text == "wall" ? DuelClock::wall : DuelClock::processor; },
-           "wall: kernel time; processor: time of all threads, for a shared machine")
+           "wall: elapsed time of the kernel; processor: CPU time of all threads, which load from other programs does "
+           "not distort")
         ->check(CLI::IsMember({"wall", "processor"}))
         ->default_str("wall");
     state->outputs.option(app, "--json", "write the result as JSON to this file (-: standard output)",
@@ -96,7 +101,7 @@ Run race_command(CLI::App& app, const Registry& registry)
 {
     const auto state = std::make_shared<State<RaceOptions, Race>>();
     RaceOptions& o = state->options;
-    app.add_option("PROGRAM", o.programs, "executable files")
+    app.add_option("PROGRAM", o.programs, "executable files, each run as `PROGRAM scene.dat`")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->required();
     app.add_option_function<std::string>(
@@ -110,7 +115,9 @@ Run race_command(CLI::App& app, const Registry& registry)
     app.add_option("--limit", o.limit, "time limit per picture, in seconds")
         ->check(real(0.01, 1e5))
         ->capture_default_str();
-    app.add_option("--repetitions", o.rounds, "rounds")->check(whole(1, 100'000))->capture_default_str();
+    app.add_option("--repetitions", o.rounds, "rounds; in each, every program renders one picture")
+        ->check(whole(1, 100'000))
+        ->capture_default_str();
     app.add_option("--seed", o.seed, "seed for the order of programs in each round")
         ->check(whole(0, 1'000'000'000))
         ->capture_default_str();

@@ -74,9 +74,10 @@ void add_options(CLI::App& app, const Registry& registry, Measurement& m)
     app.add_option("--runs", o.runs, "number of processes that repeat the study, one after the other")
         ->check(whole(1, 1000))
         ->capture_default_str();
-    app.add_option("--budget", o.budget,
-                   "time for the timed rounds, in seconds (default: 150 less the time spent before them, but 15 to "
-                   "100); no effect with --repetitions")
+    app.add_option(
+           "--budget", o.budget,
+           "time for the timed rounds, in seconds (default: 150 s minus the time already spent, but at least 15 s "
+           "and at most 100 s); no effect with --repetitions")
         ->check(real(0, 1e6));
     app.add_option("--seed", o.seed, "seed for the order of configurations in each round")
         ->check(whole(0, 1'000'000'000))
@@ -87,7 +88,8 @@ void add_options(CLI::App& app, const Registry& registry, Measurement& m)
                      [&] { return to_csv(m.result); });
     app.add_flag("--list", m.list, "list configurations and studies; measure nothing");
     app.add_flag("--wide", m.wide, "print all columns, in long lines");
-    app.add_flag("--peaks,!--no-peaks", o.peaks, "measure (default) or skip the multiply-add peak of every device");
+    app.add_flag("--peaks,!--no-peaks", o.peaks,
+                 "measure (default) or skip the peak rate of multiply-adds of every device");
     add_google_options(app, m);
     app.add_option("--run", o.run)->check(whole(0, 1000))->group("");
     app.add_flag("--quiet", m.quiet)->group("");

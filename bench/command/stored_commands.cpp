@@ -89,7 +89,8 @@ Run portability_command(CLI::App& app, const Registry& /*registry*/)
     app.add_option("FILES", state->paths, "result files written by --json, or folders of them")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->required();
-    state->outputs.option(app, "--json", "write the metric, with cascades, as JSON to this file (-: standard output)",
+    state->outputs.option(app, "--json",
+                          "write the metric and the data of cascade plots as JSON to this file (-: standard output)",
                           [s = state.get()] { return text_of(json_of(s->found)); });
     state->outputs.option(app, "--csv",
                           "write pixels per second on each platform, for p3-analysis-library (-: standard output)",

@@ -38,12 +38,12 @@ struct TimedCase {
 
 struct Rules {
     std::optional<int> repetitions;  // exact number of rounds
-    double budget = 75;              // seconds for all rounds
-    double row_budget = 8;           // seconds per configuration
+    double budget = 75;              // seconds for the rounds of all configurations
+    double row_budget = 8;           // seconds for the rounds of one configuration
     double long_picture = 4;         // seconds: a picture that takes longer is rendered only once, for verification
     int least = 6;                   // rounds; fewer give no 95 % interval of a median
     int most = 40;
-    double half_width = 0.02;  // of an interval that is narrow enough, relative to the median
+    double half_width = 0.02;  // relative to the median; a configuration with a narrower 95 % interval is done
     std::uint64_t seed = 1;
     int run = 0;
 };

@@ -10,7 +10,7 @@
 
 namespace mandelmarch::bench {
 
-// Executes the run with this number and returns its result. Throws Error if the run leaves no result.
+// Executes the run with this number and returns its result. Throws Error if the run has no result.
 using RunProcess = std::function<Result(int run)>;
 
 // Merges the results of several runs: keeps the samples, stage times and warnings of all runs and the highest peaks,
@@ -21,8 +21,8 @@ Result merged(std::vector<Result> results);
 // adds a warning and prints a line on stderr. Result::runs is the number of runs with a result.
 Result with_further_runs(Result first, int count, const RunProcess& run);
 
-// Starts this program with the given arguments and `--run N --json - --quiet`, and parses its output. Throws Error
-// if the process leaves no result.
+// Starts this program with the given arguments and `--run N --json - --quiet`, where N is `run`, and parses its output.
+// Throws Error if the process writes no result.
 Result run_again(const std::vector<std::string>& arguments, int run);
 
 }  // namespace mandelmarch::bench

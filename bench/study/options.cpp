@@ -78,7 +78,7 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
                options.modes = {Mode::exact, Mode::fast};
                if (text != "all") options.modes = {text == "fast" ? Mode::fast : Mode::exact};
            },
-           "mode to measure: all, exact or fast (default: the study's own; standard: all)")
+           "mode to measure: all, exact or fast (default: depends on the study; the study standard uses both)")
         ->check(CLI::IsMember({"all", "exact", "fast"}));
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { options.size = size_option(text); },
@@ -87,9 +87,9 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
            "what to vary: " + joined(studies(), &Study::name, ", "))
         ->default_str(std::string(options.study->name));
-    app.add_option(
-        "--filter,--benchmark_filter", options.filter,
-        "regular expression: measure only configurations whose name contains it; with - in front, all others");
+    app.add_option("--filter,--benchmark_filter", options.filter,
+                   "regular expression: measure only configurations whose names contain a match; with - in front, only "
+                   "the others");
 }
 
 // Uses only options that older builds have, too.

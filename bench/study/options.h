@@ -30,8 +30,8 @@ struct Options {
     int run = 0;                     // index of this run, from 0
     std::uint64_t seed = 1;          // for the order of configurations in each round
     std::optional<double> budget;    // seconds for the timed rounds
-    bool peaks = true;               // measure peaks before and after the rounds; needed for the share of peak
-    bool baselines = true;           // include the baselines of the study, if it has some
+    bool peaks = true;               // measure peak rates, of which results give the achieved share
+    bool baselines = true;           // false, for a duel: leave out the baselines that the study would add
 
     bool selects(std::string_view backend) const;
     const std::vector<Mode>& selected_modes() const { return modes.empty() ? study->modes : modes; }

@@ -182,7 +182,7 @@ std::vector<Study> all_studies()
          .modes = both_modes,
          .stages = true},
         {.name = "box-vs-bulb",
-         .about = "why one fractal is slower: calls, iterations, operations and idle lanes, in several scenes",
+         .about = "why one fractal is slower: DE evaluations, iterations, operations and idle lanes, in several scenes",
          .axes = {{"scene", scenes}}},
         {.name = ladder_study,
          .about = "from the reference to the fastest picture, one change at a time",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Answers on the front page: the values of each sentence, from the results. None if there is no data for one."""
+"""Answers on the front page. Each method of Answers returns the values for its sentences, or None without data."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def counted(bench: Bench, fractal: str, precision: str, what: str) -> Number:
 # Factors of a picture's operations. DE evaluations and iterations are the configuration's own counts, over all pixels;
 # operations per iteration were counted in a sample of them.
 def factors(bench: Bench, box: Row, bulb: Row) -> dict[str, Markup]:
-    """Returns the factors of one configuration's operations over another's of the same size, and `work`, their
-    product."""
+    """Returns the ratios of two configurations' operations, factor by factor, for pictures of the same size, and
+    `work`, the product of these ratios."""
 
     def over(what: str, base: str = "") -> Number:
         of = [Number.of_row(bench, row, what) / Number.of_row(bench, row, base) if base else Number.of_row(bench, row, what) for row in (box, bulb)]
@@ -90,7 +90,8 @@ class Answers:
         return self.results.times(self.primary.name, self.primary.ratio_at(question, numerator))
 
     def fastest(self) -> dict[str, Any] | None:
-        """Names the fastest backend on the primary machine, with the range of the next best one's times over it."""
+        """Names the fastest backend on the primary machine, with the range of the next best backend's relative
+        times."""
         others = self.primary.ratios("others_to_host") if self.primary else []
         if self.primary is None or not others:
             return None
@@ -111,8 +112,8 @@ class Answers:
         }
 
     def _slower(self, bench: Bench) -> list[str]:
-        """Returns the places of the verdicts by which other backends are slower than the host. Where another one is the
-        fastest, none is counted."""
+        """Returns the places of the verdicts by which other backends are slower than the host. Leaves out cases in
+        which another backend is the fastest."""
         return [
             f"{bench.name}#/winners/{at}/rivals/{k}/verdict"
             for at, (contest, fastest) in enumerate(zip(bench.data["winners"], bench.fastest()))
@@ -148,7 +149,8 @@ class Answers:
 
     def speed_ups(self) -> dict[str, Any] | None:
         """Returns the host's figures in float by mode, exact first: speed-ups over the serial reference and over the
-        scalar kernel on the same threads, and the scalar kernel's operations over its own; one number per fractal."""
+        scalar kernel on the same threads, and the scalar kernel's operations divided by the host's; one number per
+        fractal."""
         modes = {mode: found for mode in ("exact", "fast") if (found := self._speed_ups_of(mode))}
         return {"modes": modes, "host": self.backends.host, "size": self.primary.size} if self.primary and "exact" in modes else None
 

@@ -120,7 +120,8 @@ class Bench:
         return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus, *which])
 
     def same_machine(self, other: Bench) -> bool:
-        """Compares two results with one machine name by the rule of bench/platforms.h."""
+        """Returns true if two results that name the same machine are from one machine, by the rule of
+        bench/judge/platforms.h."""
         mine, others = (bench.environment["cpu"] for bench in (self, other))
         known = [key for key in ("stepping", "flags", "caches", "cores_usable") if mine.get(key) is not None and others.get(key) is not None]
         if any(mine[key] != others[key] for key in known):
@@ -145,7 +146,8 @@ class Bench:
         return len(self.values("backend")), self.data["runs"]
 
     def ratios(self, question: str) -> list[dict[str, Any]]:
-        """Returns the ratios of kernel times that answer a question, of rows that share rounds."""
+        """Returns the ratios of kernel times that answer a question, for pairs of rows that were timed in the same
+        rounds."""
         return [entry for entry in self.data["questions"][question] if entry["ratio"]["count"]]
 
     def ratio(self, question: str, numerator: str) -> dict[str, Any] | None:
@@ -170,7 +172,7 @@ class Bench:
         return next((r for r in rows if r.timed and r.kind == row.kind), None)
 
     def work_over_scalar(self, row: Row, host: str) -> float | None:
-        """Returns a row's counted operations over the scalar kernel's; None if either is not counted."""
+        """Returns a row's counted operations divided by the scalar kernel's; None if either is not counted."""
         scalar = self.scalar(row, host)
         return row.operations / scalar.operations if scalar is not None and scalar.operations and row.operations else None
 

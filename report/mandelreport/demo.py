@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python3 -m mandelreport.demo: makes one page of bin/demo's results: pictures, differences, times, a film and the
+"""python3 -m mandelreport.demo: makes one page from bin/demo's results: pictures, differences, times, a film and the
 viewer.
 
 Needs no package but Jinja. Exit codes: 0 success, 1 a file cannot be written, 2 wrong arguments or bad input."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cost of a programming model: its time over that of openmp's scalar kernel for the same work, per thread."""
+"""Cost of a programming model: its time divided by that of openmp's scalar kernel for the same work, per thread."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def label(row: Row) -> str:
 
 
 def work_over(bench: Bench, name: str, over: str) -> Markup:
-    """Returns a row's counted operations over another row's."""
+    """Returns a row's counted operations divided by those of the row `over`."""
     above, below = (Number.of_row(bench, bench.named(of), "/operations") for of in (name, over))
     return (above / below).html()
 
@@ -54,8 +54,8 @@ def ranked(rows: list[Row]) -> list[str]:
 
 
 class Costs:
-    """`speeds`: for each backend, the rows that do the scalar kernel's work without explicit SIMD, and their speeds
-    over the scalar kernel, per thread."""
+    """`speeds`: for each backend, the rows that do the scalar kernel's work without explicit SIMD, and their speeds per
+    thread, relative to the scalar kernel."""
 
     def __init__(self, bench: Bench, backends: Backends):
         self.bench, self.host = bench, backends.host

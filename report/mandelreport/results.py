@@ -81,7 +81,7 @@ class Results:
         return [bench for bench in self.benches if bench.study == name]
 
     def backends(self, others: Iterable[str] = ()) -> Backends:
-        """Returns all backends of the results and `others`: in the order of the result with the most, then as found."""
+        """Returns all backends of the results and `others`: first those of the result with the most, in its order."""
         lists = sorted((bench.environment["backends"] for bench in self.benches), key=len, reverse=True)
         rows = [row.backend for bench in self.benches for row in bench.rows]
         applications = [entry["application"] for entry in self.portability or []]
@@ -97,7 +97,7 @@ class Results:
         return [bench for bench in standard if compared[id(bench)] >= enough]
 
     def machines(self) -> list[Bench]:
-        """Returns one of these studies per machine, all of the size that most machines share, so that machines are
+        """Returns one study of whole() per machine, all of the size that most machines share, so that machines are
         compared by the same pictures."""
         by_size: dict[str, dict[str, Bench]] = {}
         for bench in self.whole():
@@ -164,7 +164,7 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
     elif kind.get("schema") == "mandelmarch-film":
         results.films.append(read_film(name, checked(name, data, "film")))
     elif kind.get("schema") == "mandelmarch-duel":
-        pass  # from the log
+        pass  # kept for an entry of docs/notes/experiments.md
     elif "promises_kept" in kind:
         results.audits.append(checked(name, data, "audit"))
     else:

@@ -14,15 +14,15 @@ namespace mandelmarch::bench {
 
 enum class Defect {
     none,
-    one_byte,
-    not_a_number,
+    one_byte,      // a byte and a colour are slightly wrong
+    not_a_number,  // a colour is NaN
     upside_down,
-    wrong_later,
-    stale,
-    dies_later,
-    refuses,
-    hidden,
-    exact_when_fast
+    wrong_later,     // as one_byte, but in all pictures except the first
+    stale,           // renders only the first picture, and leaves later images unchanged
+    dies_later,      // throws Error after the first picture
+    refuses,         // throws Unavailable for double
+    hidden,          // has no device
+    exact_when_fast  // renders in exact mode if fast mode is selected
 };
 
 class BrokenRenderer : public Renderer {

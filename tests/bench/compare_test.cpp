@@ -43,10 +43,10 @@ Result random_result(std::mt19937_64& random, const std::function<double(int)>& 
     return result;
 }
 
-// The case with the most alarms: every row differs by exactly the margin.
+// The factors that cause the most false alarms: every row differs by exactly the margin.
 double at_the_margin(int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); }
 
-// Returns in how many of 100 comparisons of two results alarm(before, after) is true. In the second result, the times
+// Returns the number of comparisons, of 100, for which alarm(before, after) is true. In the result `after`, the times
 // of row i are factor(i) times as long.
 template <class Alarm>
 int alarms(const std::function<double(int)>& factor, Alarm alarm)
@@ -248,8 +248,8 @@ TEST(Compare, TheResultsOwnWarningsAreShown)
     EXPECT_NE(text.find("warning: new result: frequency:\\x1b[2J 1 to 2 MHz\n"), std::string::npos) << text;
 }
 
-// In a comparison of results with one run, a single disturbed picture must not make a row slower, as it would if means
-// of logarithms were compared.
+// If both results have one run, a single disturbed picture must not make the verdict `slower`, as a comparison of mean
+// logarithms would.
 TEST(Compare, OneRunIsComparedByMedians)
 {
     std::mt19937_64 random(7);

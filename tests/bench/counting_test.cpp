@@ -87,7 +87,7 @@ TEST(Counting, TheWorkIsThatOfABackend)
     }
 }
 
-// Only fast mode refines, and most operations are in the march.
+// Only fast mode has operations in the stage `refine`. In exact mode most operations are in the stage `march`.
 TEST(Counting, Stages)
 {
     const Scene scene = official_scene("box", 160, 120);

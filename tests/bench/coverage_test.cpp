@@ -110,7 +110,7 @@ TEST_P(Coverage, OfATime)
     EXPECT_GE(coverage(0.1, interval), target);
 }
 
-// Negative control: an interval from all samples, as if the samples of one run were independent.
+// Negative control: an interval from all samples, computed as if those of one run were independent, is too narrow.
 TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
 {
     const auto pooled = [&](Random& random) {
@@ -204,7 +204,7 @@ TEST(CoverageOfOneRun, IsOfThatRunAlone)
     EXPECT_LT(coverage(0.1, interval), 0.8);
 }
 
-// The interval of a single run contains the true ratio often enough if times are skewed and runs do not differ.
+// If runs do not differ, the interval of a single run contains the true ratio often enough, also for skewed times.
 TEST(QuotientOfOneRun, HoldsTheTruth)
 {
     const auto interval = [](Random& random) {

@@ -9,7 +9,7 @@ for percent in 0 900; do cp "$1/bench_slowed" "slowed_$percent"; done
 rows=(--backend openmp --fractal box --precision float --size 64x48)
 few=(--runs 4 --repetitions 4 --clock processor)
 
-# A program with ten times the work of the other one is detected, and one with a tenth of it.
+# A duel detects a program with ten times the work of the other, and one with a tenth of it.
 expect 1 duel ./slowed_0 ./slowed_900 "${rows[@]}" "${few[@]}" --json slower.json
 grep -q '^mandelbox/float/exact/openmp/0 .*SLOWER$' out || fail "$(cat out)"
 expect 0 duel ./slowed_900 ./slowed_0 "${rows[@]}" "${few[@]}"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sourced by tests that run bench: creates an empty folder, which is deleted on exit, and defines functions.
+# Sourced by tests that run bench: enters an empty folder, which is deleted on exit, and defines functions that check
+# what the program $bench does.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -11,7 +12,8 @@ expect() {
     "$bench" "$@" >out 2>err || got=$?
     [ "$got" = "$code" ] || { cat out err >&2; fail "bench $* exited with $got, expected $code"; }
 }
-# refused PATTERN ARGUMENT...: runs $bench, which must exit with 2 and print one line on stderr, which matches.
+# refused PATTERN ARGUMENT...: runs $bench and checks that it exits with 2 and that its stderr is one line, which
+# matches PATTERN.
 refused() {
     expect 2 "${@:2}"
     [ "$(wc -l <err)" = 1 ] && grep -q -- "$1" err || fail "bench ${*:2}: '$1' expected in: $(cat err)"

@@ -67,7 +67,7 @@ TEST(Portability, OverSeveralResultFiles)
 }
 
 // If a filter left an application out of a result, the application does not count as unsupported on that platform: its
-// H is smaller, and the output names the missing platform.
+// set of platforms, H, lacks the platform, and the output names it.
 TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
 {
     std::vector<Result> results = example();
@@ -84,8 +84,8 @@ TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
     EXPECT_NE(text.find(" 1,2,3,5 "), std::string::npos);
 }
 
-// Negative control: an application does count as unsupported if it has no device in the result, runs only on another of
-// the result's platforms, or draws a wrong picture, however fast.
+// Negative control: an application does count as unsupported on a platform if it has no device in the result, runs only
+// on another platform of the result, or draws a wrong picture.
 TEST(Portability, WhatRunsNowhereOrElsewhereOrWrongIsUnsupported)
 {
     std::vector<Result> results = example();
@@ -101,7 +101,7 @@ TEST(Portability, WhatRunsNowhereOrElsewhereOrWrongIsUnsupported)
     EXPECT_EQ(by_application(portability(results))["dummy"].application_portability, 0);
 }
 
-// The added result has another picture size, which is another problem.
+// The added result has another picture size, and so belongs to another problem.
 TEST(Portability, AnApplicationThatNoFileHasForAProblemHasNoEntry)
 {
     std::vector<Result> results = example();

@@ -42,7 +42,7 @@ Image by_stages(const Scene& scene, Precision precision, Mode mode)
 
 class ProfiledPicture : public testing::TestWithParam<std::tuple<Precision, Mode>> {};
 
-// The scenes are rendered without shared occlusion: the profiler computes the occlusion of films for each pixel.
+// openmp renders without shared occlusion, because the profiler computes the occlusion of every pixel.
 TEST_P(ProfiledPicture, IsTheBackendsOwn)
 {
     const auto [precision, mode] = GetParam();

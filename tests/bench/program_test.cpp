@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs bench with broken backends: a wrong picture must not get a speed, and the exit code must be 1. The same backend
-// without the defect passes, so it is the defect that is detected.
+// Runs bench with broken backends: a wrong picture must not get a speed, and the exit code must be 1. The same backends
+// pass without the defect.
 #include "bench/program.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ TEST_P(BrokenPicture, ShowsNoSpeedAndExitsOne)
     EXPECT_TRUE(row["figures"].is_null());
     EXPECT_NE(ran.out.find("FAILED"), std::string::npos) << ran.out;
     EXPECT_NE(ran.err.find("mandelbox/float/exact/broken/0"), std::string::npos) << ran.err;
-    // The other backends are timed nevertheless.
+    // bench still times the other backends.
     EXPECT_EQ(row_of(ran, "openmp")["samples"].size(), 2U);
 }
 
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Defects, BrokenPicture,
                          testing::Values(Defect::one_byte, Defect::not_a_number, Defect::upside_down,
                                          Defect::wrong_later, Defect::stale, Defect::dies_later));
 
-// The study demo has its own table, which shows the same failures.
+// The table of the study `demo` shows the same failures.
 TEST(BenchProgram, TheDemoShowsWrongPictures)
 {
     const std::vector<std::string> arguments{"--study", "demo", "--size", "32x32", "--repetitions", "1"};
@@ -127,8 +127,8 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
 
-// `--without refinement` switches refinement off, so that the picture differs slightly: only its hits and that its
-// values are finite are verified.
+// `--without refinement` changes the picture slightly. bench then verifies only which pixels hit the fractal, and that
+// all values are finite.
 TEST(BenchProgram, AblationProvesWhatIsHit)
 {
     const auto without = [](const Ran& ran, const std::string& technique) {
@@ -175,8 +175,8 @@ TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
 }
 
-// At least one of these names selects an instruction set without vectors, for which the profile is unavailable. Which
-// one depends on the compiler; names that do not exist are wrong arguments.
+// At least one of these names selects an instruction set without vectors, for which the profile is unavailable. The
+// compiler decides which names exist; others are wrong arguments.
 TEST(BenchProgram, AProfileNeedsPacks)
 {
     const std::vector<std::string> arguments{"--size",  "48x40",       "--fractal", "box",           "--study",
@@ -246,7 +246,7 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
     EXPECT_TRUE(row_of(run(Defect::none, arguments), "openmp").is_null());
 }
 
-// The project's folder of kept results receives results of committed sources only.
+// bench writes into the project's folder of results only if all its sources are committed.
 TEST(Outputs, KeptResultsAreOfCommittedSources)
 {
     namespace fs = std::filesystem;

@@ -41,7 +41,7 @@ grep -q '^mandelmarch openmp  *same bytes .*\] .*\] .* 0$' out || fail "$(cat ou
 says right '\(same bytes\|0.000 % off\) .*\] .*\] .* 0$'
 says nearly '[0-9.]* % off .* 0$'
 
-# The fault of each faulty program is identified, and the program gets no speed. Our program gets one.
+# The table names the fault of each faulty program and gives it no speed. Our program gets one.
 expect 1 race "${faults[@]/#/./}" ./unsteady ./stale ./nothing "${few[@]}" --limit 3 --json faults.json
 says wrong 'WRONG  *[0-9]* of 2400 pixels differ, [0-9]* visibly, the first at [0-9]*,[0-9]*$'
 says size 'WRONG SIZE  *61 x 40 pixels, expected 60 x 40$'

@@ -28,8 +28,8 @@ std::string refusal_of(const std::string& text)
     return {};
 }
 
-// Ratios are computed round by round, so that the slow third round cancels. There is no ratio of the reference, which
-// does not run the kernel.
+// Ratios are computed round by round, so that the slow third round does not change them. There is no ratio of the
+// reference, which does not run the kernel.
 TEST(ResultFile, OtherBackendsStandBesideTheHosts)
 {
     const Result result = made_result({made_row("openmp", {1, 1, 9, 1, 1, 1, 1}),
@@ -61,8 +61,8 @@ TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
     EXPECT_NE(to_csv(derived(sweep)).find("\nmandelbox float exact 100x100 simd-width=1,openmp,"), std::string::npos);
 }
 
-// Ratios are computed round by round, so that slow rounds cancel. The pictures of the sweep have two aspect ratios. A
-// row without a sweep value belongs to no sweep.
+// Ratios are computed round by round, so that slow rounds do not change them. The pictures of the sweep have two aspect
+// ratios. A row without a sweep value does not belong to a sweep.
 TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
 {
     std::vector<Row> rows{made_row("openmp", {1, 1, 9, 1, 1, 1, 1}), made_row("openmp", {3, 3, 27, 3, 3, 3, 3}),
@@ -242,7 +242,7 @@ TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
     EXPECT_EQ(parse_result(text_of(json_of(result)), "file.json").rows[0].samples.size(), seven.size());
 }
 
-// Returns a row whose parts leave the fraction `share` of the wall time unaccounted for.
+// Returns a row whose parts sum to the fraction 1 - `share` of the wall time.
 Row leaving(double share)
 {
     Row row = made_row("leaves", {0.1, 0.1, 0.1});
@@ -268,7 +268,8 @@ TEST(Parts, ThatLeaveMoreThanALittleOfTheWallTimeAreReported)
     EXPECT_FALSE(is_named(row));
 }
 
-// The median is printed as the median of the repetitions, of all runs; counters are not divided by the repetitions.
+// The row `median` has the median of the repetitions of all runs. Counters are not divided by the number of
+// repetitions.
 TEST(GoogleBenchmark, TheMedianRowIsTheMedianOfTheRepetitions)
 {
     for (const int each : {1000, 3}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies of several runs: the samples are merged, and runs may leave no result.
+// Studies of several runs, of which some may leave no result: the samples are merged.
 #include "bench/harness/runs.h"
 
 #include <gtest/gtest.h>

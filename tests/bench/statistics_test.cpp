@@ -119,7 +119,7 @@ TEST(QuotientOfOneRun, HasTheIntervalOfTheRoundsMedian)
     EXPECT_FALSE(quotient({{0, {9, 8, 7, 6, 5, 0}}}, row).interval) << "a time that is not above 0";
 }
 
-// A disturbance that slows both rows in a round cancels in the round's ratio.
+// A disturbance that slows both rows of a round does not change the ratio of their times.
 TEST(QuotientOfOneRun, ComparesRoundByRound)
 {
     const Quotient q = quotient({{0, {2, 2, 18, 2, 6, 2}}}, {{0, {1, 1, 9, 1, 3, 1}}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Telemetry of a simulated machine, and the reasons that are given for missing values.
+// Telemetry of a simulated machine: values, and the reasons why values are missing.
 #include "bench/machine/telemetry.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST_F(MadeMachine, WhatIsMissingIsSaid)
     EXPECT_FALSE(told["energy"].contains("domains"));
 }
 
-// Some machines do not permit counters. On those that do, the counters must count the work.
+// Some machines do not permit performance counters. On all others the counters must count the work.
 TEST_F(MadeMachine, CountersCountOrSayWhyNot)
 {
     const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});

@@ -26,7 +26,7 @@ Row raced(const std::string& backend, double seconds, double spread, int runs = 
 struct Won {
     const char* name;
     std::vector<Row> rows;
-    std::vector<std::string> lines;  // parts of the output
+    std::vector<std::string> lines;  // texts that the output must contain
     int runs = 5;
 };
 
@@ -48,7 +48,7 @@ TEST_P(Winners, AreNamedWithTheirLeadAndItsCertainty)
 }
 
 // Negative controls: there is no winner if the runs contradict each other, if the lead is within the margin, or if
-// there are few pictures. The scalar kernel is a rival, the reference is none.
+// there are few pictures. The scalar kernel counts as a rival, the reference does not.
 INSTANTIATE_TEST_SUITE_P(
     Rows, Winners,
     testing::Values(Won{"Certain",

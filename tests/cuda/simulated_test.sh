@@ -6,8 +6,8 @@ wrote=nvcc
 . "$(dirname "$script")/../openacc/simulated.sh"
 export SIMULATED_CAPABILITY=90
 
-# Blocks of every size give the same picture. A block size that the kernel's registers do not allow is left out; the
-# other sizes are rendered.
+# Blocks of every size give the same picture. bench leaves out the block sizes that the kernel's registers do not allow,
+# and measures the others.
 test_block_sizes() {
     blocks() {
         SIMULATED_BLOCKS=1 "$bin/bench" --backend cuda --study block-sizes --size 60x40 --precision float --mode fast \

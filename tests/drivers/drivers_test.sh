@@ -26,8 +26,8 @@ with() {
 draw=("$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend "$api" --output picture.bmp)
 measure=("$bin/bench" --fractal box --precision float --mode exact --size 32x32 --repetitions 1)
 
-# refused STAGE ACTION TEXT: expects code 1, one line that contains the text, no picture. In a folder of its own, so that
-# several can run at the same time.
+# refused STAGE ACTION TEXT: expects code 1, one line that contains the text, no picture. Runs in a folder of its own,
+# so that several can run at the same time.
 refused() {
     (
         mkdir "$1-$2"
@@ -55,7 +55,8 @@ listed() {
     [ "$(wc -l <stdout)" -ge 5 ] || fail "$1, $2: $(wc -l <stdout) rows"
 }
 
-# ends ACTION HOW: the driver ends its process. unit/isolation_test.cpp has other ways to end.
+# ends ACTION HOW: expects, for each stage, messages with HOW if the driver ends its process by ACTION.
+# unit/isolation_test.cpp tests more ways to end.
 ends() {
     local stage
     for stage in load enumeration build launch map; do refused $stage "$1" "ended the device's process while .*$2"; done

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Broken backends must fail the checks that real backends pass, on the tests' scenes and on random ones. The same
-// backend without the defect passes, so it is the defect that the checks detect.
+// backends pass without the defect.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,6 +18,7 @@
 namespace mandelmarch {
 namespace {
 
+// last_picture: the previous picture is returned if it has the same size. other_work: no work is reported.
 enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down, other_work, error };
 
 class BrokenRenderer : public Renderer {

@@ -31,9 +31,8 @@ struct EquivalenceRow {
 std::string to_text(const EquivalenceRow& row);
 std::string equivalence_header();
 
-// Renders the expected pictures and keeps them. In exact mode they are rendered by the scalar kernel. In fast mode they
-// are the canonical pictures in double, rendered by `reference` or, if it does not support the fractal, by the scalar
-// kernel.
+// Renders the expected pictures and keeps them. In exact mode the scalar kernel renders them. In fast mode they are the
+// canonical pictures in double, rendered by `reference` or, if it does not support the fractal, by the scalar kernel.
 class Expected {
 public:
     explicit Expected(const Registry& registry) : registry_(registry) {}

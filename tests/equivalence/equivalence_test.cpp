@@ -37,7 +37,7 @@ std::vector<NamedScene> fast_scenes()
     return scenes;
 }
 
-// On CI machines every backend has a device, if only the CPU. If a backend of this build has none, its driver is
+// On CI machines every backend has a device, at least the CPU. If a backend of this build has none, its driver is
 // missing.
 TEST(Equivalence, EveryBackendOfThisBuildHasADevice)
 {
@@ -106,8 +106,8 @@ TEST(Equivalence, EveryBackendDrawsTheSamePicture)
     every.check_all(*make_skeleton_backend());
 }
 
-// Devices read back a picture of bytes only by another path than one with values. The sizes are chosen so that words
-// and work groups are partly filled.
+// A picture that has only bytes is read back from a device by another path than a picture with values. The sizes are
+// chosen so that words and work groups are partly filled.
 TEST(Equivalence, BytesAloneAreThoseOfTheValues)
 {
     const Registry registry = all_backends();

@@ -107,7 +107,7 @@ TEST(ExplorePace, PicturesFitTheTimeThatThereIs)
     EXPECT_EQ(resolution.size(960, 540, 1), std::pair(960, 540));
 }
 
-// Returns a path as flown with an unsteady hand, faster than films may be.
+// Returns a path as flown with an unsteady hand, and faster than the audit allows.
 Path unsteady()
 {
     Path path;

@@ -118,8 +118,8 @@ TEST(ChangingPlan, IsTheSameOnAnyNumberOfThreads)
     EXPECT_EQ(to_text(planned()), to_text(plan(official_scene("box", 16, 9), scale("2:2.03"), 4, frames, 1).path));
 }
 
-// A path was planned for one shape, and the shape changes while it is flown. The audit must detect that it hits the
-// fractal.
+// A path is planned for one shape, but the shape changes during the flight. The audit must detect that the camera hits
+// the fractal.
 TEST(ChangingAudit, FindsOutAPathThatKnowsNothingOfTheChange)
 {
     Path path = plan(official_scene("box", 16, 9), {}, 9, frames, 0).path;

@@ -144,8 +144,8 @@ TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
     EXPECT_GT(c.differing, 0U);
 }
 
-// A crop window equals that part of the whole picture. With rays through the pixels' centres, each ray is one of a
-// picture of twice the size: every second one of it, in both directions.
+// A picture of a crop window equals that part of the whole picture. Rays through the pixels' centres (`centred`) are
+// rays of a picture of twice the size: every second one, in both directions.
 TEST(Film, PartsAndMiddlesAreThoseOfAWholePicture)
 {
     const Registry registry = all_backends();

@@ -20,7 +20,7 @@ damage() {
     same_file "$1.mp4" whole.mp4 "after $2"
 }
 
-# A complete film is kept. One that has the size that its stamp records, but other contents, is rendered again.
+# A complete film is kept. A film with other contents is rendered again, even if it has the size that its stamp records.
 test_kept_film() {
     whole
     cp whole.mp4 kept
@@ -64,7 +64,7 @@ test_outputs() {
     says TMPDIR
 }
 
-# If stderr cannot be written, the film and its summary are made nevertheless.
+# If stderr cannot be written, flythrough still makes the film and its summary.
 test_streams_that_fail() {
     whole
     local to
@@ -142,7 +142,8 @@ test_titles() {
     says '2 of 2 segments'
 }
 
-# Starts flythrough with an ffmpeg, given by a relative name, that waits at the first segment until the file go exists.
+# Starts flythrough with an ffmpeg, given by a relative name, that waits at the first segment until the file `go`
+# exists.
 start_waiting() {
     cat >slow <<'END'
 #!/bin/sh

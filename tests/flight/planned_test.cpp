@@ -191,8 +191,8 @@ const Fault low_quality[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Of, LowQuality, testing::ValuesIn(low_quality));
 
-// The first 300 frames of this short flight are outside the hull, the others inside. Without the first ones the item is
-// kept; it is not kept if the others are moved outside.
+// The first 300 frames of this short flight are outside the hull, the others inside. Without the first 300 the audit's
+// item is kept. If the others are moved outside, it is not kept.
 TEST(Audit, FramesOutsideTheHullAreFound)
 {
     Path path = planned();

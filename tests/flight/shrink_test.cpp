@@ -11,8 +11,8 @@ namespace {
 
 Image black(int width, int height) { return {width, height, Image::Layers::bytes}; }
 
-// The picture has 3 x 3 samples for 2 x 2 pixels, so that a pixel is one and a half samples wide, and the middle
-// samples belong to both of their neighbours by halves. Row 0 of an image is its bottom row.
+// The picture has 3 x 3 samples for 2 x 2 pixels, so that a pixel is one and a half samples wide, and each middle
+// sample is shared by two pixels. Row 0 of an image is its bottom row.
 TEST(Shrunk, IsTheMeanOverAPixelsArea)
 {
     Image picture(3, 3, Image::Layers::bytes);

@@ -94,7 +94,7 @@ TEST_P(Models, ReportsWhereItRanAndItsWork)
     EXPECT_EQ(report.work.iterations, expected.iterations);
 }
 
-// Models that do not support the option, and GPUs, ignore it.
+// Models that do not support the option `threads`, and GPUs, ignore it.
 TEST_P(Models, HeedThreadsWhereTheySaySo)
 {
     const Scene scene = official_scene("box", 90, 70);

@@ -18,7 +18,7 @@ test_without_a_gpu() {
     grep -q '"backend": "openmp"' c.json || fail "auto took another backend than openmp"
 }
 
-# --device selects the device, not the library's variable.
+# --device selects the device; the OpenACC library's environment variable does not.
 test_device_number() {
     local number
     for number in 0 1; do ACC_DEVICE_NUM=$number expect 0 bulb openacc --output $number.bmp; done

@@ -14,8 +14,8 @@ import gpu_expected  # noqa: E402
 import machine_code  # noqa: E402
 
 # Maximum of registers per thread, by the kernel's kind and precision. With these, a multiprocessor of the K40 can hold
-# 9 (march, float), 5 (march, double), 6 (shade, float), 3 (shade, double) or 16 (bytes) blocks of 128 threads at once,
-# one of the H100 7, 5, 5, 3 or 16.
+# 9 (march, float), 5 (march, double), 6 (shade, float), 3 (shade, double) or 16 (bytes) blocks of 128 threads at once;
+# a multiprocessor of the H100 can hold 7, 5, 5, 3 or 16.
 MOST_REGISTERS = {
     "K40": {("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
             ("bytes", "float"): 32, ("bytes", "double"): 32},

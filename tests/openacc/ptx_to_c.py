@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ptx_to_c.py gcc|nvcc PROGRAM: translates the PTX that this compiler wrote into a built program to C, for the
-instructions of this project's kernels. So the PTX itself can run on a machine without a GPU, one thread after the
-other. Unknown instructions are errors."""
+"""ptx_to_c.py gcc|nvcc PROGRAM: translates to C the PTX that gcc or nvcc has put into a built program, so that the PTX
+itself can run on a machine without a GPU, one thread after the other. Knows only the instructions of this project's
+kernels; others are errors."""
 import os
 import re
 import sys

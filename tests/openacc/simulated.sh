@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Sourced by the cases of openacc and cuda on a simulated GPU (simulated_cuda.c), which runs a program's PTX, translated
-# to C; run by tests/cases.sh with BIN SOURCE GPU COMPILER PYTHON. GPU is the folder of the simulated driver, which the
-# case `driver` makes for the others. Needs the variables backend and wrote: the backend, and the compiler of its PTX.
+# to C. tests/cases.sh runs these cases with BIN SOURCE GPU COMPILER PYTHON, where GPU is the folder of the simulated
+# driver, which the case `driver` makes for the others. The variable `backend` must name the backend, `wrote` the
+# compiler of its PTX.
 bin=$1
 source=$2
 gpu=$3
@@ -60,8 +61,8 @@ test_bits() {
     other_picture twin.exr cpu.exr
 }
 
-# In the stats, `kernel` is the time by the GPU's clock, 3 s as each of three kernels takes a simulated second, and
-# `host` is the wall time around it.
+# In the stats, `kernel` is the time by the GPU's clock: 3 s, because each of three kernels takes a simulated second.
+# `host` is the wall time of the launches.
 test_clock() {
     expect 0 bulb --mode exact --output a.png --stats a.json
     silent

@@ -44,7 +44,8 @@ test_threads() {
     [[ $line = *", 1 threads" ]] || fail "demo on one core says $line"
 }
 
-# OMP_PROC_BIND binds OpenMP's threads only: all other threads, and the device processes, may run on all cores.
+# OMP_PROC_BIND binds only the threads of OpenMP backends. All other threads, and the device processes, may run on all
+# cores.
 test_binding() {
     [ "$given" -gt 1 ] || exit 77
     local backend
@@ -66,7 +67,7 @@ free_of_places() {
         looks=$((looks + 1))
     done
     wait $program
-    # The first thread is bound until main() begins.
+    # OpenMP binds the first thread before main() unbinds it, so the first samples may show a bound thread.
     bound=$(grep -cvx "$all" masks)
     [ $((4 * bound)) -lt "$(wc -l <masks)" ] || fail "$bound of $(wc -l <masks) threads seen are bound: $*"
     rm masks

@@ -4,7 +4,7 @@ bin=$1
 source=$2
 cp "$source"/params*.dat .
 small="--size 40x30 --backend openmp"
-# bulb OPTION...: renders the official Mandelbulb. Commands are used with `expect`.
+# bulb OPTION...: renders the official Mandelbulb; usually called by `expect`.
 bulb() { "$bin/mandelbulb" paramsBulb.dat $small "$@"; }
 
 test_pictures() {
@@ -80,7 +80,7 @@ test_samples() {
     for samples in 0 9 1.5 x; do expect 2 bulb --samples $samples; done
     expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
     says 'expected sides of up to'
-    # Old parameter files have a line for this.
+    # A line of old parameter files selects super-sampling, too.
     for number in 0 1; do
         awk -v n=$number '/^imageBulb/ { print n } { print }' paramsBulb.dat >super.dat
         expect 0 "$bin/mandelbulb" super.dat $small --output super.png
@@ -189,14 +189,14 @@ test_arguments() {
     expect 2 "$bin/render" --fractal sponge paramsBulb.dat
     expect 2 bulb --projection fish
     says 'projection: fish not in \{perspective,equirectangular\}'
-    # Names of version 1 still work.
+    # Old names of options and values still work.
     expect 0 bulb --mode fast --pack 1 --estimate counted --without=root,surroundings --output old.png
     expect 0 bulb --mode fast --simd-width 1 --estimate original --without refinement,shared-occlusion --output new.png
     same_file old.png new.png "with the old names of options and values"
 }
 
-# The message begins with the file's name and the line, and explains units, comments and super-sampling. Other faults
-# are tested in unit/parameter_file_test.cpp.
+# A message about a parameter file begins with the file's name and the line, and explains units, comments and
+# super-sampling. unit/parameter_file_test.cpp tests other faults.
 test_parameter_files() {
     expect 2 "$bin/mandelbulb" missing.dat
     says '^missing.dat:1: .*expected'
@@ -236,7 +236,7 @@ test_output_files() {
     mkdir gone
     (cd gone && rmdir ../gone && "$bin/mandelbulb" ../paramsBulb.dat $small --output a.bmp 2>"$top/folder/stderr")
     [ $? = 1 ] && [ "$(wc -l <stderr)" = 1 ] || fail "a deleted folder: $(head -c 300 stderr)"
-    # A file must not be used for two purposes; unit/files_test.cpp tests its names.
+    # A file must not be used for two purposes. unit/files_test.cpp tests different names of one file.
     expect 0 bulb --output a.bmp
     cp a.bmp twice.bmp
     ln -s twice.bmp link.bmp

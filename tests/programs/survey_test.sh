@@ -31,7 +31,7 @@ test_official_scenes() {
     done
 }
 
-# unit/parameter_file_test.cpp tests what is recognised.
+# unit/parameter_file_test.cpp tests more files of other fractals.
 test_another_fractals_file() {
     run 0 bulb paramsBox.dat
     says '^paramsBox.dat:[0-9]+: warning: these comments suit a mandelbox better than a mandelbulb'

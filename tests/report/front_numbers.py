@@ -51,7 +51,7 @@ class Times:
         mean = statistics.mean(logs)
         self.value = value
         beyond = mean - math.log(MARGIN)
-        self.p = 1 if beyond <= 0 else two_sided(T_95[len(logs) - 1] * beyond / half, len(logs) - 1)  # if the true value is MARGIN
+        self.p = 1 if beyond <= 0 else two_sided(T_95[len(logs) - 1] * beyond / half, len(logs) - 1)  # if the true ratio is MARGIN
         self.ends = (min(math.exp(mean - half), value), max(math.exp(mean + half), value))
 
     def numbers(self, scale: float = 1) -> list[float]:

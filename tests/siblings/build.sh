@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # build.sh PRESET [TARGET...]: configures and builds the preset (default: all targets). Warnings are errors if CI is
-# set. SPIRV: a folder of modules that need not be built again.
+# set. Environment variable SPIRV: a folder with SPIR-V modules to use instead of building them.
 set -euo pipefail
 preset=$1
 shift

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# subproject.sh SOURCE: mandelmarch as a subproject does not change the settings of its parent project. In the negative
-# control one is changed, which must be detected.
+# subproject.sh SOURCE: mandelmarch as a subproject does not change the settings of its parent project. Negative
+# control: a changed setting is detected.
 set -uo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

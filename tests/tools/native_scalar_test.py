@@ -19,7 +19,7 @@ class NativeScalarTest(ToolTest):
         """Returns the computed ratio for synthetic times. The second program's times are `factor` times the first
         one's; each time has an error of 1 %."""
         noise = random.Random(1)
-        random.seed(1)  # of the programs' order: an interval misses the true ratio once in 20 orders
+        random.seed(1)  # fixes the programs' order; for one order in 20 the interval misses the true ratio
 
         def seconds(program, _):
             return (factor if program == "native" else 1) * noise.gauss(1, 0.01)

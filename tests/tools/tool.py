@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tests of a script of tools/ in a folder of their own."""
+"""The base class of tests that run a script of tools/ in an empty folder."""
 import os
 import subprocess
 import sys

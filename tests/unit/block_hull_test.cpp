@@ -22,8 +22,8 @@ struct Drawn {
     openmp::WorkCounts spent;
 };
 
-// Renders the bytes of a picture with the best variant. The hull that is tested for whole subtiles is scaled by
-// `share`; 0: the hull is tested for every ray instead.
+// Renders the bytes of a picture with the best variant. `share` scales the hull against which openmp tests a whole
+// subtile; 0: openmp tests each ray instead.
 template <class Real>
 Drawn<Real> draw(const Scene& scene, Mode mode, double share)
 {
@@ -70,8 +70,7 @@ TEST(BlockHull, PaintsWhatNoRayHits)
     expect_same<double>(Mode::exact);
 }
 
-// Negative control: a block hull of 0.9 of its size cuts off edges of the fractal, which shows that subtiles are
-// filled.
+// Negative control: a block hull at 0.9 of its size cuts off edges of the fractal, so openmp does fill whole subtiles.
 TEST(BlockHull, TooSmallCutsEdges)
 {
     for (const Mode mode : {Mode::fast, Mode::exact}) {

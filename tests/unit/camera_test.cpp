@@ -23,7 +23,7 @@ Scene all_directions(int width, int height)
     return scene;
 }
 
-// The reference has its own computation of directions. Both must give the same picture.
+// The reference and the kernel compute directions with different formulas; their pictures must agree.
 TEST(AllDirections, AreTheReferencesOwn)
 {
     for (const char* fractal : {"bulb", "box"}) {

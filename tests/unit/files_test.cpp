@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output that appears complete or not at all: links, descriptors, signals. Names that refer to the same file, which a
-// command must not use for two purposes.
+// An output file appears complete or not at all, also through links and descriptors, and after signals. A command must
+// not use one file for two purposes, even under different names.
 #include "core/base/output_file.h"
 
 #include <fcntl.h>

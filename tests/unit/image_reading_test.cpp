@@ -94,7 +94,7 @@ TEST(PngReading, AFileThatEndsEarlyIsRefused)
 {
     const std::string whole = png(3, 1, 8, "abc");
     EXPECT_NO_THROW(decoded(decode_png, whole));
-    // Without the end chunk all pixels are there.
+    // A file that lacks only its end chunk, which is allowed, still has all pixels.
     for (std::size_t size = 0; size < whole.size() - png_end.size(); ++size) {
         EXPECT_NE(refusal(decode_png, whole.substr(0, size)), "not refused") << size << " of " << whole.size();
     }
@@ -233,7 +233,7 @@ TEST(ExrReading, AHeaderThatClaimsMoreThanTheFileIsRefused)
     EXPECT_TRUE(holds(refusal(decode_exr, file), "ends in its header"));
 }
 
-// Pictures of one colour compress best. They must not be rejected because their size is large for their file.
+// Pictures of one colour compress best. The reader must not refuse them for having many pixels in a small file.
 TEST(ExrReading, FlatPicturesOfEveryCompressionAreRead)
 {
     for (int kind = Imf::NO_COMPRESSION; kind < Imf::NUM_COMPRESSION_METHODS; ++kind) {

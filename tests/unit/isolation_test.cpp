@@ -19,8 +19,9 @@
 namespace mandelmarch {
 namespace {
 
-// Behaviour of the fake driver, by the index of its device.
+// Behaviours of the fake driver (misbehave()), selected by the index of the device; `conducts`: their number.
 enum Conduct : int { draws, aborts, crashes, exits, leaves, hangs, refuses, lacks, dislikes, starves, conducts };
+// The call in which the driver misbehaves.
 enum class Where { listing, opening, drawing, releasing, nowhere };
 
 void misbehave(Conduct conduct)

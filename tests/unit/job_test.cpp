@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// core/job: the renderer of a model, and the calls that it makes to the model's device. A fake model records the calls.
+// Tests the renderer of core/job with a fake programming model, which records the calls to its device.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -23,10 +23,11 @@ void draw(const void* address, int width, int rows)
     job.bytes[1] = static_cast<unsigned char>(job.pixels_of_thread);
 }
 
+// Calls that the fake model received.
 struct Asked {
     int allocations = 0;
     int launches = 0;
-    int current = 0;  // depth of run()
+    int current = 0;  // calls of run() in progress
     std::set<void*> held;
     bool outside = false;  // a device call was made outside the device's thread
 };
@@ -119,8 +120,8 @@ TEST_F(KernelArguments, KernelIsTheDevicesOwnTime)
     EXPECT_LT(timings.host, device_seconds);
 }
 
-// With refill, each thread gets so many pixels that two waves of threads are left, but at most eight pixels; without
-// refill it gets one.
+// With refill, a thread gets up to eight pixels, but only so many that two waves of threads remain. Without refill, it
+// gets one.
 TEST_F(KernelArguments, FewPixelsLeaveAThreadForEach)
 {
     const auto pixels_of_thread = [&](bool refill, int width, int height) {

@@ -83,7 +83,7 @@ Gradients gradients(const KernelScene& k)
     return found;
 }
 
-// The scenes have few iterations, so that their estimates are smooth enough for differences.
+// The scenes have few iterations, so that their estimates are smooth enough for finite differences.
 TEST(Gradient, AgreesWithDifferences)
 {
     Scene scene = official_scene("bulb", 40, 40);

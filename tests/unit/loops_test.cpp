@@ -106,7 +106,7 @@ TEST(Loops, OneLessIsTooFew)
 {
     for (const Fractal& fractal : fractals()) {
         for (const int colouring : {0, 2}) {
-            // From near the middle of the fractal, orbits take all iterations.
+            // Orbits of points near the middle of the fractal take all iterations.
             Scene scene = official_scene(std::string(fractal.short_name), 5, 5);
             scene.eye = {0.01, 0.02, 0.01};
             scene.iterations = 4;

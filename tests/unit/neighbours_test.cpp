@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp renders fast pictures lattice by lattice, so that rays can start near the hits of neighbouring pixels. Every
-// pixel must be rendered once, and the picture must be nearly the same as if rays did not use their neighbours.
+// openmp renders fast pictures lattice by lattice (the pixels in every fourth column and row, then in every second,
+// then all others), so that rays can start near the hits of neighbouring pixels. Every pixel must be rendered once, and
+// the picture must be nearly the same as if rays did not use their neighbours.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -169,7 +170,7 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
         const Comparison drawn = off(scene, [](float&) {});
         EXPECT_LE(percent(drawn.visibly_differing, drawn), 1) << name;
         EXPECT_LE(percent(drawn.hit_or_miss, drawn), 0.01) << name;
-        // The neighbours' depths are too large, so that rays start behind the surface: such rays must start again.
+        // With too large depths of neighbours, rays start behind the surface. Such rays must start again.
         const float tolerance = std::pow(10.0F, static_cast<float>(scene.detail));
         const Comparison late = off(scene, [&](float& depth) { depth *= depth > 0 ? 1 + 4 * tolerance : 1; });
         EXPECT_LE(percent(late.visibly_differing, late), 2) << name;
@@ -215,8 +216,8 @@ TEST(Neighbours, ShareNothingFromBeyondThePicture)
     EXPECT_GT(compare(with_surroundings(31, 0), with_surroundings(31, 1)).differing, 50U);
 }
 
-// The test uses those random scenes in which the distance between pixels is small enough, in tolerances, for rays to
-// use their neighbours.
+// The test uses those random scenes in which pixels are close enough together, in tolerances, for rays to use their
+// neighbours.
 TEST(Neighbours, ChangeLittleAndSaveEstimates)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";

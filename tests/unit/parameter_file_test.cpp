@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameter files: values that are accepted. All others give an error of one line, with the place and the fault.
+// Parameter files: some values are accepted; all others give an error of one line, with the place and the fault.
 #include <gtest/gtest.h>
 
 #include <regex>

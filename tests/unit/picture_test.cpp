@@ -126,7 +126,7 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
             const Offness& sum = sums[is_float];
             EXPECT_LE(per_million(sum.all.visibly_differing, sum.all), 20'000U) << fractal << ", float " << is_float;
             EXPECT_LE(per_million(sum.all.hit_or_miss, sum.all), 200U) << fractal << ", float " << is_float;
-            // Negative control: in exact mode, whose hits are not refined, the picture is another one.
+            // Negative control: exact mode, which does not refine hits, gives another picture.
             const Offness& twin = twins[is_float];
             EXPECT_GT(per_million(twin.all.visibly_differing, twin.all), 20'000U) << fractal << ", float " << is_float;
         }

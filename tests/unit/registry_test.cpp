@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// BackendInfo and the roles of backends: programs use them instead of names, and wrappers of backends must pass them
-// on.
+// Programs select backends by BackendInfo, which includes their role, instead of by name. Wrappers of backends must
+// pass it on.
 #include "core/render/registry.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 namespace mandelmarch {
 namespace {
 
+// A fake backend with the given information and one device, which renders nothing.
 class Made : public Backend {
 public:
     Made(std::string name, BackendInfo info, bool has_gpu = false)

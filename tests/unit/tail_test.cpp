@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tails of the Mandelbox: the last iterations of an orbit are computed without their tests. The estimates must be the
-// same.
+// Tails of the Mandelbox: the last iterations of an orbit, computed with one escape test and no sphere folds. Nearly
+// all estimates must be the same as without tails.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Cases run by tests/cases.sh with BIN SOURCE LAYER MODULES: Vulkan devices that run out of memory, die, hang or lack
-# features, broken pipeline caches, and required properties of the shaders. Need a Vulkan device (lavapipe suffices).
+# features, broken pipeline caches, and required properties of the shaders. The cases need a Vulkan device (lavapipe
+# suffices).
 bin=$1
 source=$2
 layer=$3
@@ -15,7 +16,7 @@ draw() {
         --output "$2" "${@:3}"
 }
 
-# right FRACTAL OUTPUT OPTION...: renders the expected picture: the same kernel source without Vulkan.
+# right FRACTAL OUTPUT OPTION...: renders the expected picture, with the scalar kernel (openmp).
 right() {
     "$bin/render" --fractal "$1" "${scene:-$source/params${1^}.dat}" --size "${size:-40x30}" --backend openmp \
         --simd-width 1 --output "$2" "${@:3}" 2>stderr || fail "openmp: $(cat stderr)"
@@ -38,8 +39,7 @@ refused() {
     [ ! -e "$5" ] || fail "$3: a picture"
 }
 
-# Failures at the first call, which is made by a probe of the device, and at later calls, which are made for the
-# picture.
+# The next three cases: a call fails, either the first one, which probes the device, or a later one, for the picture.
 test_memory() {
     local after
     for after in 0 2 4 5 6; do refused 1 'out of device memory while taking' memory:$after bulb a.exr; done
@@ -75,8 +75,8 @@ test_features() {
             same_picture a.exr true.exr
         done
     done
-    # Float division is done by the device; it is corrected if the device's results are a unit off in the last place,
-    # and done in double if they are far off.
+    # The kernel corrects the device's float divisions if they are a unit off in the last place, and divides in double
+    # if they are far off.
     for fault in none: float_units:,.float.quotients.corrected float_division:,.float.quotients.in.double; do
         expect 0 with "${fault%%:*}" draw box a.exr --precision float --stats a.json
         grep -q "\"instruction_set\": \"SPIR-V${fault#*:}\"" a.json || fail "$fault: $(grep instruction_set a.json)"
@@ -147,8 +147,8 @@ flip() { printf '\377' | dd of="$1" bs=1 seek=20 conv=notrunc status=none; }
 empty() { : >"$1"; }
 junk() { head -c 5000 /dev/urandom >"$1"; }
 
-# Rays of thousands of steps with few iterations each. In one pass, lavapipe would end their loops early without an
-# error, so they must be marched in several passes. unit/vulkan_test.cpp has a scene whose DE evaluations are that long.
+# The rays take thousands of steps with few iterations each. In one pass, lavapipe would end their loops early without
+# an error, so they must be marched in several passes. unit/vulkan_test.cpp has a scene with such long DE evaluations.
 test_long_loops() {
     local iterations mode
     for iterations in 8 18; do

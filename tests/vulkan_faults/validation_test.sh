@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Case run by tests/cases.sh with BIN SOURCE LAYER VALIDATION: Khronos' validation layer does not report anything.
+# Case run by tests/cases.sh with BIN SOURCE LAYER VALIDATION: Khronos' validation layer has nothing to report.
 bin=$1
 source=$2
 layer=$3
@@ -11,7 +11,7 @@ draw() {
     VK_LAYER_PATH=$layer:$validation VK_INSTANCE_LAYERS=$1 timeout 60 "$bin/render" --fractal "$2" \
         "$source/params${2^}.dat" --size 40x30 --backend vulkan --output valid.exr "${@:3}"
 }
-# clean DRAW-ARGUMENTS...: expects a picture without a word.
+# clean DRAW-ARGUMENTS...: expects that the program prints nothing.
 clean() {
     expect 0 draw "$@"
     [ ! -s stdout ] && [ ! -s stderr ] || fail "validation, $*: $(cat stdout stderr | head -c 500)"
@@ -23,7 +23,7 @@ test_validation() {
         clean $khronos $options
     done
     MANDELMARCH_FAULT=discrete_gpu clean $khronos:$faults bulb
-    # Negative control: it reports a misuse.
+    # Negative control: the layer reports a misuse.
     MANDELMARCH_FAULT=misuse draw $faults:$khronos bulb >stdout 2>stderr
     says 'VUID-VkFenceCreateInfo'
 }

@@ -32,7 +32,7 @@ def ground(flight: FlightMap) -> Figure:
     hull = flight.hull
     for axis, (right, up, along) in zip(axes[0], PLANES):
         a, b = axis_of[right], axis_of[up]
-        # Balls overlap: the far ones first, and all of them pale.
+        # Balls overlap, so they are pale, and the far ones are drawn first.
         near = sorted(balls, key=lambda ball: ball[axis_of[along]])
         axis.add_collection(
             PatchCollection(
@@ -76,7 +76,7 @@ def ground(flight: FlightMap) -> Figure:
         )
         axis.plot(xs[0], ys[0], linestyle="", marker="o", markersize=6, color=style.BLUE, label="start")
         axis.plot(xs[-1], ys[-1], linestyle="", marker="s", markersize=6, color="black", label="end")
-        # The part of the hull around the path, a square in both maps; the approach is cut off.
+        # Show the part of the hull around the path as a square in both maps, without the approach.
         inside = [i for i in range(len(xs)) if max(abs(flight.series(key)[i]) for key in "xyz") <= hull] or range(len(xs))
         ranges = [(min(s), max(s)) for s in ([flight.series(key)[i] for i in inside] for key in "xyz")]
         half = 0.6 * max(high - low for low, high in ranges)
@@ -104,7 +104,7 @@ def ground(flight: FlightMap) -> Figure:
 
 
 def over_time(flight: FlightMap) -> Figure:
-    """Shows clearance, speed, step over clearance, and turn, frame by frame."""
+    """Shows clearance, speed, step divided by clearance, and turn, frame by frame."""
     seconds = flight.seconds
     clearance = [100 * c / flight.hull for c in flight.series("clearance")]
     speed = _speeds(flight)

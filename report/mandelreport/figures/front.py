@@ -20,7 +20,7 @@ KINDS = {
 
 
 def times(bench: Bench, backends: Backends) -> Figure:
-    """Narrow enough for a phone. The reference comes last."""
+    """Shows the times, the reference last, in a figure narrow enough for a phone."""
     rows = [row for row in bench.all_rows if row.timed]
     fractals = list(dict.fromkeys(row.fractal for row in rows))
     names = backends.order(label(row) for row in rows)

@@ -20,7 +20,8 @@ RUNGS = {
 
 
 def ladder(bench: Bench) -> Figure:
-    """Shows a panel for each fractal, a bar for each rung, from the gain of all rungs before it to its own."""
+    """Shows a panel for each fractal, a bar for each rung. A bar begins at the gain of all rungs before it and ends at
+    the gain that includes its own."""
     fractals = bench.values("fractal")
     figure, axes = style.panels(len(fractals), 1, 4, 2.2 * len(fractals), sharex=True)
     said = []

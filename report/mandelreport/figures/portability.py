@@ -12,8 +12,8 @@ from . import style
 
 
 def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
-    """Shows a panel for each fractal and mode, a line for each backend and precision: efficiency on the first 1, 2, ...
-    platforms as points, the metric over them as the line."""
+    """Shows a panel for each fractal and mode, a line for each backend and precision: the metric over the 1, 2, ...
+    platforms with the highest efficiency. Dashes show the efficiency on each platform."""
     if not entries:
         return None
     fractals = list(dict.fromkeys(e["fractal"] for e in entries))
@@ -52,8 +52,8 @@ def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
 
 
 def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backends: Backends) -> Figure | None:
-    """Shows the navigation chart. One backend is one source for all its platforms; all together share the kernel
-    source."""
+    """Shows the navigation chart. A single backend has one source for all its platforms; all backends together share
+    the kernel source."""
     names = [model["backend"] for model in divergence["models"]]
     best: dict[str, list[float]] = {}
     for entry in entries:

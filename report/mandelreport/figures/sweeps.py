@@ -78,7 +78,7 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
 
 
 def ablation(bench: Bench) -> Figure | None:
-    """Shows the gain from each technique: the time without it over the time with all."""
+    """Shows the gain from each technique: the time without it divided by the time with all."""
     lines = _series(bench)
     fractals = list(dict.fromkeys(fractal for fractal, _ in lines))
     if not fractals:

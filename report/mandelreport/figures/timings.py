@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the standard study: times over the scalar kernel's, ratios, shares of the peak."""
+"""Figures of the standard study: times relative to the scalar kernel, ratios, shares of the peak."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from . import style
 
 
 def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
-    """Shows the time of every backend over that of the scalar kernel, fastest first, a panel for each fractal and
+    """Shows the time of every backend divided by that of the scalar kernel, fastest first, a panel for each fractal and
     mode."""
     rows = with_scalar(bench, backends.reference)
     if not any(row.sweep_value == SCALAR for row in rows):

@@ -68,7 +68,7 @@ def factors(bench: Bench, backend: str) -> list[Factors]:
 
 
 def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
-    """Shows Mandelbox over Mandelbulb, factor by factor, a group for each scene."""
+    """Shows each factor of the Mandelbox divided by that of the Mandelbulb, a bar for each scene."""
     if not pairs:
         return None
     names = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Each backend's design, from the documentation, and film frames on several machines."""
+"""Chapters of the documentation on the design of backends and on films, and the K40's registers."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ HOST_COMPILERS = ("GNU", "Clang")
 
 
 def _baseline(material: Material) -> str:
-    """Names the instruction sets of the host's backends, and the scalar kernel's gain from the processor's own."""
+    """Names the instruction sets of the host's backends, and the scalar kernel's gain from -march=native."""
     bench = material.answers.primary
     if bench is None:
         return ""

@@ -62,7 +62,7 @@ def _encoded(image: Image.Image, kind: str, **options: Any) -> str:
 
 
 def _map(path: Path) -> str:
-    """Returns a map of differences in which each extends by a pixel all around, so that single pixels are visible."""
+    """Returns a map of differences, each enlarged by a pixel on all sides, so that single pixels are visible."""
     with Image.open(path) as drawn:
         # 16 greys compress well.
         return _encoded(drawn.convert("L").filter(ImageFilter.MinFilter(3)).quantize(16), "png", optimize=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All results of the standard study: machines and settings are the columns, by the letters of the main part."""
+"""All results of the standard study: a column for each machine and setting, named by the letters of the main part."""
 
 from __future__ import annotations
 
@@ -103,8 +103,8 @@ def _portability(material: Material) -> list[dict[str, Any]]:
 
 
 def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[str]]) -> Table | None:
-    """Returns the metric of backends that were measured everywhere; `missing`: of each other one, the platforms without
-    it."""
+    """Returns the metric of backends that were measured everywhere; `missing`: for each other backend, the platforms
+    where it was not measured."""
     platforms = dict.fromkeys(on["platform"] for entry in entries for on in entry["platforms"])
     rows = []
     for entry in entries:

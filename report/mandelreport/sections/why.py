@@ -23,7 +23,7 @@ FRACTALS = ("mandelbox", "mandelbulb")
 
 
 def factor_table(material: Material) -> Table | None:
-    """Returns the cost of a picture of each scene of all such studies."""
+    """Returns the cost of a picture of each scene in all studies box-vs-bulb."""
     found = [(bench.name, f) for bench in material.results.study("box-vs-bulb") for f in factors(bench, material.backends.host)]
     rows = [
         [
