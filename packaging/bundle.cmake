@@ -108,11 +108,11 @@ foreach(recipe Containerfile mandelmarch.def)
 endforeach()
 execute_process(COMMAND ${program} render --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE
     COMMAND_ERROR_IS_FATAL ANY)
-set(drivers_carried "The bundle has no drivers for CPUs: `openmp` and `reference` run everywhere,
-`opencl` and `vulkan` if the system has a driver")
+set(drivers_carried "The bundle has no drivers for CPUs, so `opencl` and `vulkan` run only if the system
+has a driver")
 if(DRIVERS)
     set(drivers_carried "The bundle contains PoCL (`opencl`) and lavapipe (`vulkan`), so every backend
-except `openacc` runs on any CPU")
+except `cuda` runs on any CPU")
 endif()
 set(ffmpeg_carried "The bundle does not contain ffmpeg")
 if(FFMPEG)
