@@ -16,7 +16,6 @@
 #include "apps/scene_options.h"
 #include "apps/stats.h"
 #include "apps/survey.h"
-#include "apps/trace/trace.h"
 #include "core/base/console.h"
 #include "core/base/environment.h"
 #include "core/base/error.h"
@@ -33,6 +32,7 @@
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/image/image.h"
+#include "instruments/trace.h"
 
 namespace mandelmarch {
 namespace {

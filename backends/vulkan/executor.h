@@ -11,6 +11,7 @@
 #include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
+#include "instruments/loops.h"
 
 namespace mandelmarch::vulkan {
 
@@ -52,16 +53,17 @@ inline constexpr std::int64_t watched_loops_double = 1 << 15;
 // Number of pixels that keeps the lanes of a CPU busy.
 inline constexpr std::int64_t busy_cpu = 1 << 17;
 
-inline Limits limits_of(const DeviceInfo& info, vk::DeviceSize real, int band)
+inline Limits limits_of(const Scene& scene, const DeviceInfo& info, vk::DeviceSize real, int band)
 {
     // The ray buffer is the largest buffer.
     const vk::DeviceSize bytes =
         std::min<vk::DeviceSize>(info.properties.limits.maxStorageBufferRange, info.largest_allocation);
     Limits limits{.pixels_per_band =
                       std::clamp<std::int64_t>(static_cast<std::int64_t>(bytes / ray_size(real)), 1, largest_band)};
-    limits.loops_per_invocation = info.counts_loops ? counted_loops
-                                  : real == 4       ? watched_loops_float
-                                                    : watched_loops_double;
+    limits.loops = {.survived = info.counts_loops ? counted_loops
+                                : real == 4       ? watched_loops_float
+                                                  : watched_loops_double,
+                    .of_scene = loops_of(scene)};
     limits.pixels_to_fill = info.device.is_gpu ? pixels_of_gpu(info.most_invocations) : busy_cpu;
     return with_band(limits, band);
 }

@@ -99,7 +99,7 @@ private:
         const auto start = Clock::now();
         Gpu& gpu = session_->gpu;
         const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
-        const Limits limits = limits_of(gpu.info(), sizeof(Real), options_.band);
+        const Limits limits = limits_of(scene, gpu.info(), sizeof(Real), options_.band);
         const auto pixels =
             static_cast<vk::DeviceSize>(rows_per_band(scene, limits)) * static_cast<vk::DeviceSize>(scene.width);
         RenderStats report{.backend = "vulkan",
@@ -114,8 +114,9 @@ private:
         Timings& timings = report.timings;
         timings.context = context_;
         if (loaded_ != scene.fractal->name) {
+            const auto build = Clock::now();
             load(scene.fractal->name);
-            timings.build = seconds_since(start);
+            timings.build = seconds_since(build);
         }
 
         const auto upload = Clock::now();

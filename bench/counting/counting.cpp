@@ -8,10 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "bench/counting/counting_kernel.h"
 #include "bench/base/statistics.h"
 #include "core/base/error.h"
-#include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "flight/field/threads.h"
 
@@ -60,8 +58,8 @@ Count together(const std::vector<BlockCount>& blocks, const CountOptions& option
 template <class Real>
 Count counted(const Scene& scene, const CountOptions& options, std::span<const Block> blocks, bool every_pixel)
 {
-    CountPixel<Real>* const count_pixel =
-        counting_kernel<Real>(fmt::format("{}_{}", scene.fractal->name, name_of(options.precision)));
+    CountOperations<Real>* const count_pixel =
+        operation_counter<Real>(fmt::format("{}_{}", scene.fractal->name, name_of(options.precision)));
     if (count_pixel == nullptr) {
         throw Unavailable(fmt::format("no operations are counted for the {}", scene.fractal->name));
     }
@@ -72,7 +70,7 @@ Count counted(const Scene& scene, const CountOptions& options, std::span<const B
             BlockCount mine;
             std::vector<RaySteps> rays;
             each_pixel(blocks[block], scene.width, scene.height, [&](int column, int row) {
-                count_pixel(kernel, column, row, mine.pixels, rays.emplace_back());
+                rays.push_back(count_pixel(kernel, column, row, mine.pixels));
                 mine.steps += rays.back().size();
                 for (const int iterations : rays.back()) mine.iterations += static_cast<unsigned>(iterations);
             });

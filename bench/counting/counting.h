@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the arithmetic operations of a picture. A copy of the kernel, compiled with a number type that counts its
-// operations (core/kernel/prelude/counting.h), renders the pixels. The timed kernels do not count.
+// Counts the arithmetic operations of a picture (instruments/operations.h).
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <numeric>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "bench/counting/lanes.h"
 #include "bench/counting/sample.h"
 #include "core/render/backend.h"
+#include "instruments/operations.h"
 
 namespace mandelmarch::bench {
-
-struct Operations {
-    std::uint64_t additions = 0, multiplications = 0, divisions = 0, square_roots = 0;
-
-    std::uint64_t total() const { return additions + multiplications + divisions + square_roots; }
-};
-
-Operations operator+(Operations a, Operations b);
-Operations operator-(Operations a, Operations b);
-
-// Stages of rendering a pixel, in the kernel's order. `shade` does not include the computation of the normal.
-enum class Stage { begin, march, refine, normal, shade };
-inline constexpr int stage_count = 5;
-std::string_view name_of(Stage stage);  // "begin" ...
 
 // Standard errors of two ratios if they are computed from a sample of the pixels; 0 if every pixel was counted.
 struct CountErrors {
@@ -47,8 +33,12 @@ struct Count {
     std::uint64_t march_estimates = 0, march_iterations = 0;  // DE evaluations and DE iterations of the march alone
     std::optional<CountErrors> errors;                        // unknown in results of older builds
 
-    Operations all() const;
-    double per_iteration() const;  // all operations / all DE iterations; 0 without iterations
+    Operations all() const { return std::accumulate(stages.begin(), stages.end(), Operations{}); }
+    // Returns all operations / all DE iterations; 0 without iterations.
+    double per_iteration() const
+    {
+        return work.iterations == 0 ? 0 : static_cast<double>(all().total()) / static_cast<double>(work.iterations);
+    }
 };
 
 struct CountOptions {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "instruments/operations.h"
+
 namespace mandelmarch::bench {
 
 // Fractions of lanes that are active, 0 to 1, averaged over the steps and over the DE iterations of vectors. A step of
@@ -26,9 +28,6 @@ struct LaneUse {
     // Unknown in results of older builds.
     std::optional<ActiveLanes> together_error{}, refilled_error{};
 };
-
-// DE iterations of each step of a ray, in order.
-using RaySteps = std::vector<int>;
 
 // Counts the lane slots of vectors, and how many of them are active. A lane slot is one lane during one step, or one
 // iteration, of its vector.

@@ -47,7 +47,7 @@ struct Fields<Operations> {
 
 template <>
 struct Keys<std::array<Operations, stage_count>> {
-    static constexpr std::array<const char*, stage_count> list{"begin", "march", "refine", "normal", "shade"};
+    static constexpr auto list = stage_names;
 };
 
 template <>

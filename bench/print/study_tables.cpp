@@ -118,10 +118,9 @@ std::string stages_table(const Result& result)
         std::string operations = "-";
         for (const Counted& c : result.counts) {
             if (c.fractal != s.fractal || c.precision != s.precision || c.mode != s.mode) continue;
-            for (int i = 0; i < stage_count; ++i) {
-                if (name_of(static_cast<Stage>(i)) != s.stage) continue;
-                operations = fmt::format(
-                    "{:.1f}%", 100 * ratio(c.stages.at(static_cast<std::size_t>(i)).total(), c.all().total()));
+            for (std::size_t i = 0; i < c.stages.size(); ++i) {
+                if (stage_names.at(i) != s.stage) continue;
+                operations = fmt::format("{:.1f}%", 100 * ratio(c.stages[i].total(), c.all().total()));
             }
         }
         text += fmt::format("{:<11} {:<9} {:<5} {:<7} {:>9} {:>6.1f}% {:>11}\n", s.fractal, name_of(s.precision),

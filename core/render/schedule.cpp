@@ -9,8 +9,6 @@
 #include "core/base/stopwatch.h"
 #include "core/image/tile.h"
 #include "core/render/kernel_scene.h"
-#include "core/render/loops.h"
-#include "core/scene/fractal.h"
 
 namespace mandelmarch {
 namespace {
@@ -30,11 +28,12 @@ struct Plan {
     int all_tries = 0;      // max refinements of a hit, over all passes
 };
 
-Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)
+Plan plan_of(const Scene& scene, Mode mode, const std::optional<LoopLimit>& limit)
 {
     Plan plan;
-    if (survived == 0) return plan;
-    const Loops loops = loops_of(scene);
+    if (!limit) return plan;
+    const std::int64_t survived = limit->survived;
+    const Loops& loops = limit->of_scene;
     if (loops.shade > survived) {
         throw Unavailable(fmt::format(
             "colouring type {} with {} iterations loops more often than this device survives, expected fewer "
@@ -56,13 +55,6 @@ Plan plan_of(const Scene& scene, Mode mode, std::int64_t survived)
 
 }  // namespace
 
-Loops loops_of(const Scene& scene)
-{
-    CountLoops* const count = loop_counter(scene.fractal->name);
-    if (count == nullptr) throw Unavailable(fmt::format("no loops are counted for the {}", scene.fractal->name));
-    return count(kernel_scene<layout_f64::Scene>(scene, Mode::exact));
-}
-
 int rows_per_band(const Scene& scene, const Limits& limits)
 {
     const std::int64_t width = scene.width;
@@ -78,7 +70,7 @@ int rows_per_band(const Scene& scene, const Limits& limits)
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress)
 {
-    const Plan plan = plan_of(scene, mode, limits.loops_per_invocation);
+    const Plan plan = plan_of(scene, mode, limits.loops);
     const int rows = rows_per_band(scene, limits);
     const bool by_time = limits.seconds_per_band > 0;
     int next = by_time ? static_cast<int>(std::clamp<std::int64_t>(first_band / scene.width, 1, rows)) : rows;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "core/render/backend.h"
 
@@ -20,11 +21,27 @@ struct Band {
     int rows;
 };
 
+// Max number of iterations of all loops of an invocation, including nested ones. The end of a loop counts as one more
+// iteration. Loops in branches that are not taken are not counted, although a device that masks lanes may execute them
+// once.
+struct Loops {
+    std::int64_t pass;    // of a pass that marches or refines, without its steps or refinements
+    std::int64_t step;    // of one marching step
+    std::int64_t tried;   // of one refinement of a hit
+    std::int64_t refine;  // of all refinements of a hit
+    std::int64_t shade;   // of shading
+};
+
+struct LoopLimit {
+    std::int64_t survived;  // max loop iterations of an invocation in a pass
+    Loops of_scene;         // counted by loops_of() of instruments/loops.h
+};
+
 // Limits of a device for a single pass.
 struct Limits {
     std::int64_t pixels_per_band;           // max pixels of a band, the capacity of the device's buffers
     std::int64_t pixels_to_fill = 1 << 16;  // min pixels of a band that keep the device busy
-    std::int64_t loops_per_invocation = 0;  // max loop iterations of an invocation in a pass; 0: unlimited
+    std::optional<LoopLimit> loops{};       // empty: an invocation may loop as often as it needs
     // Target seconds of a band: bands begin small and grow until they take that long, so that a picture on a slow
     // device can be cancelled soon. 0: all bands have the same size.
     double seconds_per_band = 0;

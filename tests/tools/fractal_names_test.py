@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("apps", "backends", "bench", "core", "flight", "report")
+FOLDERS = ("apps", "backends", "bench", "core", "flight", "instruments", "report")
 REPORT = ROOT / "report" / "out"  # output of `make report`
 ENDINGS = {".cpp", ".h", ".in", ".cl", ".comp", ".js", ".py"}
 ALLOWED = {

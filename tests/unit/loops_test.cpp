@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// core/render/loops.h computes bounds for the iterations of the kernel's loops. The tests compare these bounds with the
+// instruments/loops.h computes bounds for the iterations of the kernel's loops. The tests compare these bounds with the
 // loops of real rays, and check the passes into which the schedule divides a picture by them.
-#include "core/render/loops.h"
+#include "instruments/loops.h"
 
 #include <gtest/gtest.h>
 
@@ -145,9 +145,11 @@ public:
     int march = 0, refine = 0, refined = 0, passes = 0;
 };
 
+constexpr std::int64_t survived = 65'000;
+Limits limited(const Scene& scene) { return {.pixels_per_band = 64, .loops = LoopLimit{survived, loops_of(scene)}}; }
+
 TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
 {
-    constexpr std::int64_t survived = 65'000;
     for (const Fractal& fractal : fractals()) {
         for (const int iterations : {1, 2, 3, 5, 18, 60, 90, 300, 4000}) {
             Scene scene = official_scene(std::string(fractal.short_name), 8, 8);
@@ -156,8 +158,7 @@ TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
             const Loops loops = loops_of(scene);
             Noting noting;
             Image image(8, 8, Image::Layers::bytes);
-            run_schedule(scene, Mode::fast, {.pixels_per_band = 64, .loops_per_invocation = survived}, noting, image,
-                         {});
+            run_schedule(scene, Mode::fast, limited(scene), noting, image, {});
             if (noting.whole) {
                 EXPECT_LE(loops.pass + max_steps * loops.step + loops.refine + loops.shade, survived / 2);
                 continue;
@@ -178,8 +179,7 @@ TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
     Noting noting;
     Image image(8, 8, Image::Layers::bytes);
     std::vector<double> signs;
-    run_schedule(scene, Mode::exact, {.pixels_per_band = 64, .loops_per_invocation = 65'000}, noting, image,
-                 [&](double share) { signs.push_back(share); });
+    run_schedule(scene, Mode::exact, limited(scene), noting, image, [&](double share) { signs.push_back(share); });
     EXPECT_EQ(noting.passes, 3);
     EXPECT_EQ(signs, (std::vector<double>{0, 0, 0, 1}));
 }
@@ -214,11 +214,10 @@ TEST(Loops, WhatCannotBeCutIntoPassesIsUnavailable)
     scene.iterations = max_iterations;
     Noting noting;
     Image image(8, 8, Image::Layers::bytes);
-    const Limits limits{.pixels_per_band = 64, .loops_per_invocation = 65'000};
     scene.colouring = 1;
-    EXPECT_NO_THROW(run_schedule(scene, Mode::exact, limits, noting, image, {}));
+    EXPECT_NO_THROW(run_schedule(scene, Mode::exact, limited(scene), noting, image, {}));
     scene.colouring = 2;
-    EXPECT_THROW(run_schedule(scene, Mode::exact, limits, noting, image, {}), Unavailable);
+    EXPECT_THROW(run_schedule(scene, Mode::exact, limited(scene), noting, image, {}), Unavailable);
 }
 
 }  // namespace

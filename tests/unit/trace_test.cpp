@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "apps/trace/trace.h"
 #include "backends/openmp/openmp.h"
 #include "core/scene/fractal.h"
+#include "instruments/trace.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

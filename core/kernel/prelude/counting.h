@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude in C++ that counts the operations of one lane. Before including it, define MM_REAL, MM_REAL_IS_FLOAT and
-// MM_OPERATIONS, an expression for an object with the counters `additions`, `multiplications`, `divisions` and
-// `square_roots`. Include it inside a namespace and before the kernel source; undefine.h removes its macros.
+// Prelude in C++ that counts the operations of one lane: the scalar prelude with another type for `real`. Before
+// including it, define MM_REAL, MM_REAL_IS_FLOAT and MM_OPERATIONS, an expression for an object with the counters
+// `additions`, `multiplications`, `divisions` and `square_roots`. Include it inside a namespace and before the kernel
+// source; undefine.h removes its macros.
 //
 // An operation is a + b, a - b, a * b, quotient(a, b) or root(a), of numbers of the lane or of one such number and a
 // scene parameter. Operations on values that are the same in all lanes are not counted, nor are comparisons, picks,
@@ -9,22 +10,14 @@
 // operations.
 
 #define FN inline
-#define FN_CALLED inline
-#define vec3(a, b, c) make_vec3(a, b, c)
-#define pick(on, a, b) ((on) ? (a) : (b))
-#define any(on) (on)
-#define count(on) ((on) ? 1 : 0)
-#define R(x) MM_REAL(x)
-#if MM_REAL_IS_FLOAT
-#define BY_PRECISION(in_double, in_float) MM_REAL(in_float)
-#else
-#define BY_PRECISION(in_double, in_float) MM_REAL(in_double)
-#endif
-
-typedef MM_REAL scalar;
-typedef int whole;
-typedef int counter;
-typedef bool mask;
+namespace plain {
+#include "core/kernel/prelude/scalar.h"
+}  // namespace plain
+using plain::counter;
+using plain::mask;
+using plain::scalar;
+using plain::triple;
+using plain::whole;
 
 struct real {
     scalar value;
@@ -48,6 +41,13 @@ COUNTED_OPERATION(quotient, divisions, a / b)
 COUNTED_OPERATION(quick_quotient, divisions, a / b)
 #undef COUNTED_OPERATION
 
+inline real root(real a)
+{
+    ++MM_OPERATIONS.square_roots;
+    return plain::root(a.value);
+}
+inline real quick_root(real a) { return root(a); }
+
 inline real operator-(real a) { return -a.value; }
 inline mask operator<(real a, real b) { return a.value < b.value; }
 inline mask operator<=(real a, real b) { return a.value <= b.value; }
@@ -55,42 +55,13 @@ inline mask operator>(real a, real b) { return a.value > b.value; }
 inline mask operator>=(real a, real b) { return a.value >= b.value; }
 inline mask operator==(real a, real b) { return a.value == b.value; }
 
+inline real magnitude(real a) { return plain::magnitude(a.value); }
+inline real nearest(real a) { return plain::nearest(a.value); }
+inline real exponent_of(real a) { return plain::exponent_of(a.value); }
+inline real two_to(real n) { return plain::two_to(n.value); }
+
 struct vec3 {
     real x, y, z;
 };
 
-struct alignas(4 * sizeof(scalar)) triple {
-    scalar x, y, z;
-};
-
 inline vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }
-
-#if MM_REAL_IS_FLOAT
-inline real root(real a)
-{
-    ++MM_OPERATIONS.square_roots;
-    return __builtin_sqrtf(a.value);
-}
-inline real magnitude(real a) { return __builtin_fabsf(a.value); }
-inline real nearest(real a) { return __builtin_rintf(a.value); }
-inline real exponent_of(real a)
-{
-    return static_cast<float>((__builtin_bit_cast(unsigned, a.value) >> 23) & 0xff) - 127.0F;
-}
-inline real two_to(real n) { return __builtin_bit_cast(float, (static_cast<int>(n.value) + 127) << 23); }
-#else
-inline real root(real a)
-{
-    ++MM_OPERATIONS.square_roots;
-    return __builtin_sqrt(a.value);
-}
-inline real magnitude(real a) { return __builtin_fabs(a.value); }
-inline real nearest(real a) { return __builtin_rint(a.value); }
-inline real exponent_of(real a)
-{
-    return static_cast<double>((__builtin_bit_cast(unsigned long long, a.value) >> 52) & 0x7ff) - 1023.0;
-}
-inline real two_to(real n) { return __builtin_bit_cast(double, (static_cast<long long>(n.value) + 1023) << 52); }
-#endif
-
-inline real quick_root(real a) { return root(a); }

@@ -5,9 +5,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/render/backend.h"
+#include "core/render/kernel_scene.h"
 
 namespace mandelmarch {
 
@@ -67,5 +68,14 @@ Trace trace_pixel(const Scene& scene, const RendererOptions& options, int x, int
 // Returns the trace as text: one line per sample, then the result. Numbers have so many digits that their bits can be
 // recovered.
 std::string text_of(const Trace& trace);
+
+// A function that traces the ray of pixel (trace.x, trace.y) and fills in the rest of `trace`.
+template <class Real>
+using TracePixel = void(const KernelScene<Real>& scene, Trace& trace);
+
+// Returns the function generated from trace.cpp.in (cmake/Kernels.cmake) by variant_name(); nullptr if this build does
+// not contain the fractal.
+template <class Real>
+TracePixel<Real>* pixel_tracer(std::string_view variant);
 
 }  // namespace mandelmarch

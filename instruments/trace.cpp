@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/trace/trace.h"
+#include "instruments/trace.h"
 
 #include <fmt/format.h>
 
-#include "apps/trace/rays.h"
 #include "core/base/error.h"
-#include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
@@ -81,9 +79,10 @@ std::string head(const Trace& trace)
 template <class Real>
 void trace_in(const Scene& scene, const RendererOptions& options, Trace& trace)
 {
-    TraceRay<Real>* const ray = ray_of<Real>(variant_name(scene.fractal->name, options.precision, options.mode));
-    if (ray == nullptr) throw Unavailable(fmt::format("no rays are traced for the {}", scene.fractal->name));
-    ray(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques), trace);
+    TracePixel<Real>* const traced =
+        pixel_tracer<Real>(variant_name(scene.fractal->name, options.precision, options.mode));
+    if (traced == nullptr) throw Unavailable(fmt::format("no rays are traced for the {}", scene.fractal->name));
+    traced(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques), trace);
 }
 
 }  // namespace
