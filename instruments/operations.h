@@ -22,11 +22,6 @@ struct Operations {
         return {a.additions + b.additions, a.multiplications + b.multiplications, a.divisions + b.divisions,
                 a.square_roots + b.square_roots};
     }
-    friend Operations operator-(Operations a, Operations b)
-    {
-        return {a.additions - b.additions, a.multiplications - b.multiplications, a.divisions - b.divisions,
-                a.square_roots - b.square_roots};
-    }
 };
 
 // Stages of rendering a pixel, in the kernel's order. `shade` does not include the computation of the normal.

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Returns the largest loop counts of a picture's rays. Included inside the namespace of each fractal's kernel, so it
-// has no include guard.
+// The kernel with a counter of loop iterations, and a function that renders a picture with it. Included inside a
+// namespace for each fractal, so it has no include guard.
 
+#define FN_CALLED inline
+#include "core/kernel/prelude/scalar.h"
+#include "core/kernel/prelude/counted_loops.h"
+#include "core/kernel/text.h"
+#include "core/kernel/prelude/undefine.h"
+
+// Returns the largest loop counts of a picture's rays.
 inline Loops made_by(const void* plain_scene, const void* fast_scene)
 {
     const Scene& plain = *static_cast<const Scene*>(plain_scene);

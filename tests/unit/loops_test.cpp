@@ -38,31 +38,16 @@ std::int64_t counted(Body body)
 #define MM_REAL_IS_FLOAT 0
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbulb.h"
 namespace bulb {
-#define FN_CALLED inline
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/prelude/counted_loops.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
 #include "tests/unit/loops_body.h"
 }  // namespace bulb
 #undef MM_FRACTAL_FILE
 #define MM_FRACTAL_FILE "core/kernel/fractals/mandelbox.h"
 namespace box {
-#define FN_CALLED inline
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/prelude/counted_loops.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
 #include "tests/unit/loops_body.h"
 }  // namespace box
 #undef MM_FRACTAL_FILE
 #define MM_FRACTAL_FILE "core/kernel/fractals/julia.h"
 namespace julia {
-#define FN_CALLED inline
-#include "core/kernel/prelude/scalar.h"
-#include "core/kernel/prelude/counted_loops.h"
-#include "core/kernel/text.h"
-#include "core/kernel/prelude/undefine.h"
 #include "tests/unit/loops_body.h"
 }  // namespace julia
 

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude in C++ that counts loop iterations. Real numbers have no values and all lanes stay active, so every loop runs
-// to its limit. Values that are the same in all lanes are computed, in double. Before including it, define MM_LOOPS, an
-// expression for the counter, and MM_REAL_IS_FLOAT as 0. Include it inside a namespace and before the kernel source;
-// undefine.h removes its macros.
+// to its limit. Values that are the same in all lanes are computed, as MM_REAL. Before including it, define MM_REAL,
+// MM_REAL_IS_FLOAT and MM_LOOPS, an expression for the counter. Include it inside a namespace and before the kernel
+// source; undefine.h removes its macros.
 #include "core/kernel/prelude/counted_loops.h"
+#include "core/kernel/prelude/words.h"
 
 #define FN inline
 #define FN_CALLED inline
-#define vec3(a, b, c) make_vec3(a, b, c)
-#define R(x) double(x)
-#define BY_PRECISION(in_double, in_float) double(in_double)
-
-typedef double scalar;
 
 struct real {
     real() = default;
@@ -44,10 +40,6 @@ inline real pick(mask, real, real) { return {}; }
 
 struct vec3 {
     real x, y, z;
-};
-
-struct alignas(4 * sizeof(scalar)) triple {
-    scalar x, y, z;
 };
 
 inline vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }

@@ -45,15 +45,8 @@ namespace hn = hwy::HWY_NAMESPACE;
     MM_IN_REGISTER(0, __VA_ARGS__) \
     MM_IN_REGISTER(1, __VA_ARGS__) MM_IN_REGISTER(2, __VA_ARGS__) MM_IN_REGISTER(3, __VA_ARGS__)
 #endif
-#define vec3(a, b, c) make_vec3(a, b, c)
-#define R(x) MM_REAL(x)
-#if MM_REAL_IS_FLOAT
-#define BY_PRECISION(in_double, in_float) MM_REAL(in_float)
-#else
-#define BY_PRECISION(in_double, in_float) MM_REAL(in_double)
-#endif
+#include "core/kernel/prelude/words.h"
 
-typedef MM_REAL scalar;
 using Reals = hn::ScalableTag<scalar>;
 using Wholes = hn::RebindToSigned<Reals>;
 using Int = hn::TFromD<Wholes>;
@@ -234,10 +227,6 @@ FN whole count(const mask& on)
 
 struct vec3 {
     real x, y, z;
-};
-
-struct alignas(4 * sizeof(scalar)) triple {
-    scalar x, y, z;
 };
 
 FN vec3 make_vec3(const real& x, const real& y, const real& z) { return {x, y, z}; }

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude in scalar C++. Before including it, define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1 or 0). Include
 // it inside a namespace and before the kernel source; undefine.h removes its macros.
+#include "core/kernel/prelude/words.h"
 
-#if !defined(MM_REAL) || !defined(MM_REAL_IS_FLOAT)
-#error "expected definitions of MM_REAL and MM_REAL_IS_FLOAT"
-#endif
 #ifndef FN
 #define FN __attribute__((always_inline)) inline
 #endif
 #ifndef FN_CALLED
 #define FN_CALLED FN
 #endif
-#define vec3(a, b, c) make_vec3(a, b, c)
 #define pick(on, a, b) ((on) ? (a) : (b))
 #define any(on) (on)
 #define count(on) ((on) ? 1 : 0)
-#define R(x) MM_REAL(x)
-#if MM_REAL_IS_FLOAT
-#define BY_PRECISION(in_double, in_float) MM_REAL(in_float)
-#else
-#define BY_PRECISION(in_double, in_float) MM_REAL(in_double)
-#endif
 
 // Both functions round to the nearest integer, ties to even. nvptx has an instruction for nearbyint, and x86 computes
 // rint with a few instructions; on either one, the other function would be a call.
@@ -31,17 +22,12 @@
 #endif
 
 typedef MM_REAL real;
-typedef MM_REAL scalar;
 typedef int whole;
 typedef int counter;
 typedef bool mask;
 
 struct vec3 {
     real x, y, z;
-};
-
-struct alignas(4 * sizeof(scalar)) triple {
-    scalar x, y, z;
 };
 
 FN vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words that are the same in all preludes in C++, which include this file.
+
+#if !defined(MM_REAL) || !defined(MM_REAL_IS_FLOAT)
+#error "expected definitions of MM_REAL and MM_REAL_IS_FLOAT"
+#endif
+
+#define vec3(a, b, c) make_vec3(a, b, c)
+#define R(x) MM_REAL(x)
+#if MM_REAL_IS_FLOAT
+#define BY_PRECISION(in_double, in_float) MM_REAL(in_float)
+#else
+#define BY_PRECISION(in_double, in_float) MM_REAL(in_double)
+#endif
+
+typedef MM_REAL scalar;
+
+struct alignas(4 * sizeof(scalar)) triple {
+    scalar x, y, z;
+};
