@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
