@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marches one cone around all rays of a subtile, to find how far these rays can advance together.
 
-HWY_INLINE void count_cones(const counter& de_calls, const counter& iterations, const mask& on, WorkCounts& spent)
-{
-#if MM_COUNTED
-    spent.de_calls += sum_of(de_calls, on);
-    spent.iterations += sum_of(iterations, on);
-#endif
-}
-
 // Stores the t at which each active cone ends, at the index of its subtile.
 HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
 {
@@ -18,7 +10,10 @@ HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
     store_compact(pick(a.ray.t <= a.ray.end, a.ray.t, beyond_scene(d.scene)), on, starts);
     const int lanes = lanes_on(on);
     for (int i = 0; i < lanes; ++i) d.canvas.block_start[places[i]] = starts[i];
-    count_cones(a.ray.de_calls, a.ray.iterations, on, d.spent);
+#if MM_COUNTED
+    d.spent.de_calls += sum_of(a.ray.de_calls, on);
+    d.spent.iterations += sum_of(a.ray.iterations, on);
+#endif
 }
 
 // Begins a cone for every subtile. If Canvas::cones is false, only stores where the cone's axis enters the hull. The
