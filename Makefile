@@ -73,12 +73,16 @@ bench: build ## the standard study in three processes, one after the other: repo
 	@mkdir -p report/results
 	@bin/bench --backend all --runs $(RUNS) --json report/results/bench.json --csv report/results/bench.csv
 
+march-native: ## bench as a user may build it, with -march=native, by g++ and clang++ (20 min, estimated)
+	@tools/build march-native bench
+	@tools/build march-native-clang bench
+
 # Parameter files of scenes that differ are written to build/equivalence.
 SCENES ?= 1000
 SCENES_SEED ?= 1
 # FILES="bench.json simd-widths.json" selects results from the list in tools/results.txt.
 FILES ?=
-results: build ## all results in report/results, from one clean revision; resumes if interrupted (2 hours, estimated)
+results: build march-native ## all results in report/results, from one clean revision; resumes if interrupted (3 hours, estimated)
 	@python3 tools/results.py $(FILES)
 
 equivalence: build ## compare exact pictures of SCENES=1000 random scenes bit for bit on every backend (5 min, estimated)
@@ -157,9 +161,6 @@ k40: build python ## registers of the OpenACC kernels, and expected frame times,
 
 loop-mix: build ## instructions in openmp's estimator loops, and their share of the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
-
-native-scalar: build ## gain of the scalar kernel from -march=native: report/results/native_scalar.txt (15 min, estimated)
-	@python3 tools/native_scalar.py $(BUILD) --table report/results/native_scalar.txt
 
 docs-figures: ## update the figures in README and docs from report/results (1 s)
 	@python3 tools/figures.py README.md docs/*.md

@@ -5,7 +5,7 @@ import re
 
 from mandelreport.bench import SCALAR
 from mandelreport.errors import InputError
-from mandelreport.text import with_interval
+from mandelreport.text import digits, with_interval
 
 FRACTALS = {"bulb": "mandelbulb", "box": "mandelbox"}
 
@@ -64,6 +64,15 @@ def cost(results, technique, fractal, precision):
     return bracketed(100 / without - 100, [100 / high - 100, 100 / low - 100] if interval else None, "{:.0f}".format)
 
 
+def ladder(results, fractal, rung=None):
+    """How many times as fast a rung of the ladder is as the rung before it, or the last rung as the first, with the
+    interval."""
+    rows = [row for row in rows_of(results, "ladder") if row.fractal == FRACTALS[fractal]]
+    row = rows[-1] if rung is None else next(row for row in rows if row.sweep_value == f"rung={rung}")
+    ratio, interval = ratio_of(results, "ladder", "to_first_value" if rung is None else "to_previous_value", row)
+    return bracketed(1 / ratio, interval and [1 / end for end in reversed(interval)], digits)
+
+
 def over_scalar(results, study, fractal, precision, mode):
     """Speed-up of openmp's fastest packs over the scalar kernel on the same threads, with the interval, from wall
     times."""
@@ -87,12 +96,13 @@ def model_cost(results, study, *backends):
     return range_of(speeds, 2)
 
 
-def native(results, mode):
-    """Range of the scalar kernel's speed-up from -march=native, in a mode."""
-    lines = [line.split() for line in results.text("native_scalar.txt").splitlines()]
-    ratios = [float(words[3]) for words in lines if len(words) >= 7 and words[0] in FRACTALS.values() and words[2] == mode]
+def speed_up(results, file, mode, backend):
+    """Range of the speed-ups of a duel's second program, in a mode, for a backend or `scalar`, openmp's scalar kernel."""
+    backend, end = ("openmp", "/simd-width=1") if backend == "scalar" else (backend, "/0")
+    verdicts = [(one["name"].split("/"), one) for one in results.json(file)["verdicts"]]
+    ratios = [1 / one["ratio"] for words, one in verdicts if words[2:4] == [mode, backend] and one["name"].endswith(end)]
     if not ratios:
-        raise InputError(f"native_scalar.txt has no pictures in {mode} mode")
+        raise InputError(f"{file}.json has no pictures of {backend} in {mode} mode")
     return range_of(ratios, 2)
 
 
@@ -195,14 +205,15 @@ NUMBERS = {
     "duels": duels,
     "film": film,
     "k40": k40,
+    "ladder": ladder,
     "model-cost": model_cost,
     "ms": ms,
-    "native": native,
     "one-register": one_register,
     "over-openmp": over_openmp,
     "over-scalar": over_scalar,
     "rows-verified": rows_verified,
     "share": share,
+    "speed-up": speed_up,
     "work-over-openmp": work_over_openmp,
     "worth": worth,
 }

@@ -78,7 +78,8 @@ def of_uncommitted_sources(path):
         return False
     with open(path, encoding="utf-8") as file:
         data = json.load(file)
-    return data.get("environment", {}).get("git", {}).get("dirty", False)
+    sides = (data, data.get("old", {}), data.get("new", {}))  # a duel has two programs
+    return any(side.get("environment", {}).get("git", {}).get("dirty", False) for side in sides)
 
 
 def fail(message, code=1):

@@ -79,7 +79,8 @@ Tilt tilt_of(const Frame& frame, const Fractal& fractal);
 // Returns the frame with its camera rolled about its gaze by `angle` radians (right-hand rule).
 Frame rolled(Frame frame, double angle);
 
-// Returns how many frames at `from` frames per second cover the time of `frames` frames at `to` frames per second.
+// Returns the number of frames at the rate `from` that last as long as `frames` frames at the rate `to`. Rates are in
+// frames per second.
 int frames_at_rate(int frames, int from, int to);
 
 // Returns the flight of `path` as `frames` frames at `rate` frames per second. They must not last longer than the path.

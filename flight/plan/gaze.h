@@ -16,7 +16,7 @@ inline constexpr int look_ahead = 48;  // frames (1.6 s); the gaze at a frame fo
 // Returns the unit vector from the camera's position at `frame` to its position `frames` frames later.
 Vector ahead(const Trajectory& ride, std::size_t frame, std::size_t frames);
 
-// Returns the gaze smoothed in time. `aims`: the gaze before that, a unit vector per frame. At the first frame the
+// Returns the gaze smoothed in time. `aims`: the gaze before smoothing, a unit vector per frame. At the first frame the
 // camera looks at the fractal's centre; within three seconds the gaze changes to `aims`.
 std::vector<Vector> smoothed_gaze(const Trajectory& ride, std::vector<Vector> aims);
 

@@ -73,6 +73,7 @@ class Results:
     portability: list[dict[str, Any]] | None = None  # bench portability --json
     code_divergence: dict[str, Any] | None = None  # tools/code_divergence.py --json
     races: list[dict[str, Any]] = field(default_factory=list)  # bench race --json
+    duels: list[str] = field(default_factory=list)  # bench duel --json; names of files
     k40: str | None = None  # the tables of make k40
     loop_mix: str | None = None  # the table of make loop-mix
     flight_studies: list[str] = field(default_factory=list)  # the tables of make flight-study
@@ -164,7 +165,7 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
     elif kind.get("schema") == "mandelmarch-film":
         results.films.append(read_film(name, checked(name, data, "film")))
     elif kind.get("schema") == "mandelmarch-duel":
-        pass  # kept for an entry of docs/notes/experiments.md
+        results.duels.append(name)
     elif "promises_kept" in kind:
         results.audits.append(checked(name, data, "audit"))
     else:

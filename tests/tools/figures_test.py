@@ -81,10 +81,12 @@ class FiguresTest(ToolTest):
         place = "It runs at <!-- figures: model-cost ablation -->0.98<!-- end --> times the speed.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
-    def test_the_native_scalar_text_s_range_is_that_of_its_mode(self):
-        self.write("native_scalar.txt", "scalar text with -march=native: x\nmandelbulb double exact 1.040 1.026 1.054 same bits\n"
-                   "mandelbox float exact 0.979 0.971 0.987 same bits\nmandelbox float fast 1.056 1.044 1.069 -\n")
-        place = "It is <!-- figures: native exact -->0.98 to 1.04<!-- end -->, <!-- figures: native fast -->1.06<!-- end --> times as fast.\n"
+    def test_a_duel_s_speed_ups_are_those_of_a_mode_and_a_backend(self):
+        ratios = {"mandelbulb/double/exact/openmp/0/simd-width=1": 0.8, "mandelbox/float/exact/openmp/0/simd-width=1": 1.25,
+                  "mandelbox/float/fast/openmp/0/simd-width=1": 0.5, "mandelbox/float/exact/kokkos/0": 0.1}
+        self.write("native.json", json.dumps({"verdicts": [{"name": name, "ratio": ratio} for name, ratio in ratios.items()]}))
+        place = "It is <!-- figures: speed-up native exact scalar -->0.80 to 1.25<!-- end --> times as fast, with kokkos " \
+            "<!-- figures: speed-up native exact kokkos -->10.00<!-- end -->.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
     def test_what_is_fresh_passes_the_check(self):

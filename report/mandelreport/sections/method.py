@@ -8,7 +8,7 @@ from typing import Any
 from markupsafe import Markup
 
 from ..answers import named
-from ..bench import Bench
+from ..bench import SCALAR, Bench
 from ..blocks import Missing, Table
 from ..text import join
 from . import Material
@@ -36,17 +36,23 @@ def _baseline(material: Material) -> str:
         "The scalar kernel and {} are compiled without -march, for the compiler's baseline ({}). {}'s packs select their "
         "instructions at run time; OpenCL and Vulkan compile for the processor on which they run."
     ).format(join(plain), named("x86-64: SSE2, no fused multiply-add"), host)
-    file = next((name for name, held in material.results.files.items() if str(held).startswith("scalar text with -march=native")), None)
-    if file is None:
-        return text
-    lines = material.results.files[file].splitlines()
-    modes = [[f"/{at}/3" for at, line in enumerate(lines) if line.split()[2:3] == [mode]] for mode in ("exact", "fast")]
-    ratios = [[material.results.number(file, place) for place in places] for places in modes]
-    ends = [pick(of, key=lambda number: number.value).html() for of in ratios for pick in (min, max)]
-    machine = next(line for line in lines if line.startswith("processor")).split(maxsplit=1)[1]
-    return text + Markup(
-        " With -march=native the scalar kernel is {} to {} times as fast in exact mode, with the same bits, and {} to {} times in fast mode (on {}; {})."
-    ).format(*ends, named(machine), file)
+    return text + Markup("").join(_built_for_this_machine(material, file) for file in material.results.duels)
+
+
+def _built_for_this_machine(material: Material, file: str) -> Markup:
+    """Returns a sentence on a duel whose second program was compiled with -march=native; else nothing."""
+    duel = material.results.files[file]
+    build = duel["new"]["environment"]["build"]
+    if "-march=native" not in build["flags"]:
+        return Markup()
+    ends = []
+    for mode in ("exact", "fast"):
+        verdicts = enumerate(duel["verdicts"])
+        ratios = [material.results.number(file, f"/verdicts/{at}/ratio") for at, one in verdicts if mode in one["name"] and one["name"].endswith(SCALAR)]
+        ends += [pick(ratios, key=lambda number: number.value).html() for pick in (min, max)] if ratios else [Markup("-")] * 2
+    return Markup(" Compiled by {} with -march=native, the scalar kernel takes {} to {} times as long in exact mode and {} to {} times in fast mode (on {}; {}).").format(
+        named(build["compiler"]), *ends, named(duel["new"]["environment"]["cpu"]["platform"]), file
+    )
 
 
 def section(material: Material) -> dict[str, Any]:
