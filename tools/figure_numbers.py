@@ -97,10 +97,9 @@ def model_cost(results, study, *backends):
 
 
 def speed_up(results, file, mode, backend):
-    """Range of the speed-ups of a duel's second program, in a mode, for a backend or `scalar`, openmp's scalar kernel."""
-    backend, end = ("openmp", "/simd-width=1") if backend == "scalar" else (backend, "/0")
+    """Range of the speed-ups of a duel's second program, in a mode, with a backend."""
     verdicts = [(one["name"].split("/"), one) for one in results.json(file)["verdicts"]]
-    ratios = [1 / one["ratio"] for words, one in verdicts if words[2:4] == [mode, backend] and one["name"].endswith(end)]
+    ratios = [1 / one["ratio"] for words, one in verdicts if words[2:4] == [mode, backend]]
     if not ratios:
         raise InputError(f"{file}.json has no pictures of {backend} in {mode} mode")
     return range_of(ratios, 2)

@@ -13,7 +13,7 @@ four = functools.partial(digits, count=4)  # significant digits
 CONFIGURATIONS = [(f, p, m) for f in FRACTALS for m in ("exact", "fast") for p in ("double", "float")]
 TECHNIQUES = {  # sweep values of the ablation study
     "hull": "hull", "relaxation": "over-relaxation", "cones": "cones", "neighbours": "neighbours",
-    "all-four": "these four together",
+    "all-four": "all four together",
     "trial": "trials", "tail": "tails", "refinement": "the root refined", "gradient": "normals from the gradient",
 }
 SIDES = (270, 540, 1080, 2160)  # pixels, of the resolution study
@@ -89,14 +89,14 @@ def ablation(results):
                          (f" ({100 * row.visibly_off:.1f} % off)" if technique == "refinement" else ""))
         rows.append([name, *cells])
     bounds = [row_of(results, "ablation", *column, "fast", "without=none") for column in columns]
-    rows.append(["the least time that the counted work takes at the measured peak, of the time, ms",
-                 *(f"{1e3 * row.figures['bound_seconds']:.1f} of {1e3 * row.kernel.median:.1f}" for row in bounds)])
+    rows.append(["least possible time of the counted work at the measured peak, and measured time, in ms",
+                 *(f"{1e3 * row.figures['bound_seconds']:.1f}, {1e3 * row.kernel.median:.1f}" for row in bounds)])
     return table(["without", *(f"{fractal}, {precision}" for fractal, precision in columns)], rows)
 
 
 def growth(results):
     """Cost of four times the pixels in fast mode."""
-    head = ["fractal, precision", *(f"{a} to {b}" for a, b in zip(SIDES, SIDES[1:])), "a step of the whole sweep"]
+    head = ["fractal, precision", *(f"{a} to {b}" for a, b in zip(SIDES, SIDES[1:])), "a step, on average over the sweep"]
     rows = []
     for fractal in FRACTALS:
         for precision in ("double", "float"):
@@ -186,10 +186,10 @@ def aloud(results, name):
     width, height = row.size
     serial = bracketed(row.figures["speed_up"], row.figures["speed_up_interval"], "{:.0f}".format)
     return "\n".join([
-        f"The last row, read aloud: in fast mode and float `openmp` draws the Mandelbox at {width} x {height} in",
+        f"In words: in fast mode and float `openmp` draws the Mandelbox at {width} x {height} in",
         f"{1e3 * row.kernel.median:.1f} ms, the median of {row.kernel.count} pictures. The true median lies between {low:.1f} and {high:.1f} ms "
         "with 95 %",
-        f"confidence. Of the pixels {100 * row.visibly_off:.1f} % differ visibly from the reference's canonical picture. The counted operations",
+        f"confidence. {100 * row.visibly_off:.1f} % of the pixels differ visibly from the reference's canonical picture. The counted operations",
         f"take {100 * row.figures['share_of_peak']:.0f} % of the processor's measured multiply-add peak. The serial reference "
         f"takes {serial} times as long.",
     ])
@@ -206,7 +206,7 @@ def samples(results):
     for words in (line.split() for line in results.text("flight_samples.txt").splitlines()):
         if len(words) == 6 and words[0] in FRACTALS.values() and words[4] == "%":
             found.setdefault(words[1], {})[words[0]] = (words[2], words[3] + " %")
-    head = ["samples a pixel", *(f"{name}, {what}" for name in FRACTALS for what in ("rms", "off"))]
+    head = ["samples a pixel", *(f"{name}, {what}" for name in FRACTALS for what in ("rms difference", "visibly off"))]
     return table(head, [[count, *(cell for name in FRACTALS.values() for cell in of[name])] for count, of in found.items()])
 
 
@@ -222,7 +222,7 @@ def missed(results):
             rows.append([fractal, line[2:NAME_WIDTH].strip(), kind, f"{sign} {bar}", worst, f"{kept[1]} of {kept[2]}"])
         elif " seeds, " in line and line.split(":")[0] in FRACTALS.values():
             fractal = line.split(":")[0]
-    return table(["fractal", "row", "kind", "bar", "worst", "seeds that keep it"], rows)
+    return table(["fractal", "item", "promise or quality", "threshold", "worst value", "seeds that keep it"], rows)
 
 
 TABLES = {

@@ -20,8 +20,8 @@ public:
     // Sends a line, given without its newline. Throws Error if the peer is gone.
     void send(const std::string& line);
 
-    // Waits for a line. Returns false if the peer has closed the socket. Also polls gone(), and returns false as soon as
-    // it returns true. Throws Error for a line of more than 16 MiB.
+    // Waits for a line. Returns false if the peer has closed the socket. Also polls gone(), and returns false as soon
+    // as it returns true. Throws Error for a line of more than 16 MiB.
     bool receive(
         std::string& line, const std::function<bool()>& gone = [] { return false; });
 

@@ -225,6 +225,18 @@ def race(environment: dict[str, Any]) -> dict[str, Any]:
     }
 
 
+def duel() -> dict[str, Any]:
+    """Returns a duel with a build for this processor."""
+    build = {"compiler": "GNU 99", "flags": "-march=native -O3"}
+    ratios = {"mandelbulb/double/exact": 0.9, "mandelbox/double/exact": 1.25, "mandelbox/double/fast": 0.8}
+    return {
+        "schema": "mandelmarch-duel",
+        "version": 2,
+        "new": {"environment": bench()["environment"] | {"build": build}},
+        "verdicts": [{"name": f"{name}/stdpar/0", "ratio": ratio} for name, ratio in ratios.items()],
+    }
+
+
 def everything() -> dict[str, Any]:
     return {
         "bench.json": with_scalar(),
@@ -239,4 +251,5 @@ def everything() -> dict[str, Any]:
         "film.json": film(),
         "code_divergence.json": code_divergence(),
         "race.json": race(bench()["environment"]),
+        "native.json": duel(),
     }

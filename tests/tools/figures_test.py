@@ -82,10 +82,10 @@ class FiguresTest(ToolTest):
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
     def test_a_duel_s_speed_ups_are_those_of_a_mode_and_a_backend(self):
-        ratios = {"mandelbulb/double/exact/openmp/0/simd-width=1": 0.8, "mandelbox/float/exact/openmp/0/simd-width=1": 1.25,
-                  "mandelbox/float/fast/openmp/0/simd-width=1": 0.5, "mandelbox/float/exact/kokkos/0": 0.1}
+        ratios = {"mandelbulb/double/exact/stdpar/0": 0.8, "mandelbox/float/exact/stdpar/0": 1.25,
+                  "mandelbox/float/fast/stdpar/0": 0.5, "mandelbox/float/exact/kokkos/0": 0.1}
         self.write("native.json", json.dumps({"verdicts": [{"name": name, "ratio": ratio} for name, ratio in ratios.items()]}))
-        place = "It is <!-- figures: speed-up native exact scalar -->0.80 to 1.25<!-- end --> times as fast, with kokkos " \
+        place = "It is <!-- figures: speed-up native exact stdpar -->0.80 to 1.25<!-- end --> times as fast, with kokkos " \
             "<!-- figures: speed-up native exact kokkos -->10.00<!-- end -->.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 

@@ -8,7 +8,7 @@ from typing import Any
 from markupsafe import Markup
 
 from ..answers import named
-from ..bench import SCALAR, Bench
+from ..bench import Bench
 from ..blocks import Missing, Table
 from ..text import join
 from . import Material
@@ -42,16 +42,16 @@ def _baseline(material: Material) -> str:
 def _built_for_this_machine(material: Material, file: str) -> Markup:
     """Returns a sentence on a duel whose second program was compiled with -march=native; else nothing."""
     duel = material.results.files[file]
-    build = duel["new"]["environment"]["build"]
+    build, cpu = duel["new"]["environment"]["build"], duel["new"]["environment"]["cpu"]
     if "-march=native" not in build["flags"]:
         return Markup()
     ends = []
     for mode in ("exact", "fast"):
         verdicts = enumerate(duel["verdicts"])
-        ratios = [material.results.number(file, f"/verdicts/{at}/ratio") for at, one in verdicts if mode in one["name"] and one["name"].endswith(SCALAR)]
+        ratios = [material.results.number(file, f"/verdicts/{at}/ratio") for at, one in verdicts if mode in one["name"]]
         ends += [pick(ratios, key=lambda number: number.value).html() for pick in (min, max)] if ratios else [Markup("-")] * 2
-    return Markup(" Compiled by {} with -march=native, the scalar kernel takes {} to {} times as long in exact mode and {} to {} times in fast mode (on {}; {}).").format(
-        named(build["compiler"]), *ends, named(duel["new"]["environment"]["cpu"]["platform"]), file
+    return Markup(" Compiled by {} with -march=native, the models take {} to {} times as long in exact mode and {} to {} times in fast mode (on {}; {}).").format(
+        named(build["compiler"]), *ends, named(cpu.get("platform", cpu["model"])), file
     )
 
 
