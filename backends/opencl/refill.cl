@@ -4,7 +4,7 @@
 // would otherwise wait long for the slowest ray of a vector. Ended rays are collected until they fill a vector, which
 // is then shaded. A pixel's result does not depend on the lane that computes it.
 
-// While the strip has rays left, idle lanes are refilled as soon as fewer lanes than this march.
+// While the strip has rays left, idle lanes are refilled as soon as fewer than MM_BUSY lanes are marching.
 #define MM_BUSY (MM_LANES - MM_LANES / 8)
 
 // Returns the mask as bits: bit n is set if lane n is active.
