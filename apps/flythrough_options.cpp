@@ -57,7 +57,7 @@ std::variant<int, Range> frames_option(const std::string& text)
 
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Given& given)
 {
-    add_choice(app, "COMMAND", options.command, commands, "what to do (explained below)")->required();
+    add_choice(app, "COMMAND", options.command, commands, "what to do (explained below)")->default_str("")->required();
     app.add_option("PATH", options.path, "path file: read by render and audit, written by film if given");
     add_fractal_option(app, options.fractal)->capture_default_str();
     app.add_option("--params", options.parameters,

@@ -116,11 +116,11 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         ->needs(list);
     app.add_flag(
         "--print-scene", options.print_scene,
-        "print the kernels' scene as JSON and render nothing; the step factor is the initial one, which a trial render "
-        "may reduce");
+        "print the scene as the kernels receive it, as JSON, and render nothing; the step factor is the one that a "
+        "trial render may reduce when a picture is rendered");
     app.footer(fmt::format(
-        "Memory: {} bytes per pixel, for an EXR file {}, for an EXR file into a pipe {} more; in addition about {} "
-        "MiB. 16384 x 16384 pixels need {} MiB as BMP or PNG. With --samples N, a pixel needs N x N times as much.\n"
+        "Memory: about {} MiB, plus {} bytes per pixel; {} bytes per pixel for an EXR file, {} for an EXR file into a "
+        "pipe. 16384 x 16384 pixels need {} MiB as BMP or PNG. With --samples N, a pixel needs N x N times as much.\n"
         "With --region, --size may have sides of up to 1000000 pixels. In exact mode a region has the same bits as "
         "that part of the whole picture.\n"
         "Channels of an EXR file: R, G, B (linear light, Rec. 709), displayed.R, displayed.G, displayed.B (as shown on "
@@ -128,9 +128,9 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         "The field of view in a parameter file is vertical; 1 means 65 degrees.\n"
         "An existing file is replaced only after the new one is complete.\n"
         "Exit codes: 0 success, 1 failure, 2 wrong arguments or bad input, 77 backend or device not available.{}",
-        Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all), exr_stream_memory,
-        fixed_memory >> 20, ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20,
-        environment_help(program)));
+        fixed_memory >> 20, Image::bytes_per_pixel(Image::Layers::bytes), Image::bytes_per_pixel(Image::Layers::all),
+        Image::bytes_per_pixel(Image::Layers::all) + exr_stream_memory,
+        ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20, environment_help(program)));
     done = parse_arguments(app, program, argc, argv);
     if (done) return options;
     options.renderer.techniques = techniques_without(without);

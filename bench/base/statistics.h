@@ -37,11 +37,10 @@ struct Summary {
 // Returns the median; 0 if there are no values.
 double median(std::vector<double> values);
 
-// Summarises independent values: those of one run.
+// Summarises the values of a single run, as independent values.
 Summary summary(std::span<const double> values);
 
-// Summarises values from several runs. The values of one run are not independent, as they have the run's error in
-// common.
+// Summarises values from several runs. Values of the same run share that run's error, so they are not independent.
 Summary summary(const ValuesByRun& runs);
 
 // Returns the 95 % interval of the mean over runs. `medians`: the median of each run. The interval is computed with

@@ -80,8 +80,9 @@ Run duel_command(CLI::App& app, const Registry& registry)
     app.add_option_function<std::string>(
            "--clock",
            [&o](const std::string& text) { o.clock = text == "wall" ? DuelClock::wall : DuelClock::processor; },
-           "wall: elapsed time of the kernel; processor: CPU time of all threads, which load from other programs does "
-           "not distort")
+           "wall: elapsed time of the kernel; processor: CPU time of all threads, on which load from other programs "
+           "has "
+           "little influence")
         ->check(CLI::IsMember({"wall", "processor"}))
         ->default_str("wall");
     state->outputs.option(app, "--json", "write the result as JSON to this file (-: standard output)",

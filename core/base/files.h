@@ -42,7 +42,7 @@ std::string folder_of(const std::string& path);
 // Returns true if both names refer to the same file, by any spelling or link, even if the file does not exist yet.
 bool same_file(const std::string& a, const std::string& b);
 
-// A file on a command line: its name in messages, such as an option, and its path, which is empty if not given.
+// A file on a command line: its path, empty if not given, and what messages call it, such as the option's name.
 struct NamedFile {
     std::string name;
     std::string path;

@@ -137,8 +137,8 @@ Stand longest_stand(std::span<const Vector> places, std::span<const double> radi
             ++longest.distances;
             return length(places[j] - places[i]) <= radii[i];
         };
-        // A stand from i that is longer than the longest so far includes `far`. The place that ended the last stand
-        // probably ends this one, too, and is therefore tested first.
+        // If the stand that begins at i is longer than the longest so far, it includes `far`. The place that ended the
+        // last stand probably ends this one, too, and is therefore tested first.
         const std::size_t far = i + longest.steps + 1;
         if (!within(far) || (outside > i && outside < far && !within(outside))) continue;
         outside = i + 1;

@@ -99,7 +99,8 @@ private:
             } else {
                 now = ride(bounds, track, measures_.pace, needed);
             }
-            // A trajectory that is too short may still become long enough, because the camera slows down in bends.
+            // A trajectory with too few frames may still get enough, because later rounds slow down the camera in
+            // bends.
             const int flown = std::min(frames_, static_cast<int>(now.at.size()));
             if (flown < frames_ / 4 || (flown < frames_ && round > 2)) return {};
             views = smoothed_gaze(now, director.gaze(now, flown));

@@ -21,7 +21,8 @@ FOLDER = ROOT / "report"
 TOOLS = ("cmake", "glslangValidator", "spirv-cross")
 INPUTS = "(shape, escape, iterations, largest, conservative)"  # inputs of every formula (core/scene/formula.h)
 CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
-# Fields of the viewer that differ on purpose: the picture is the same without the hull, and float uses no differences.
+# Fields whose values in the viewer differ from the programs' on purpose: the picture is the same without the hull, and
+# the float kernel computes no normals from differences.
 VIEWERS_OWN = ("hull", "difference_step")
 FLATTEN = FOLDER / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"

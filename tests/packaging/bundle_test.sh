@@ -56,8 +56,8 @@ test_bundle() {
     env -i PATH=/nowhere "$bundle/bin/flythrough" film --frames 30 --size 64x36 --output film.mp4 2>stderr
     [ $? = 1 ] && [ "$(grep -c ffmpeg stderr)" = 1 ] || fail "without ffmpeg: $(cat stderr)"
 
-    # Negative control: without one of the bundle's libraries the programs miss it, so they do not use the machine's
-    # library.
+    # Negative control: if one of the bundle's libraries is removed, the programs must not find it. This shows that they
+    # do not use the machine's library.
     mv "$bundle/lib/libOpenEXR"* .
     [ -n "$(outside)" ] || fail "a library that is away is not missed"
 }

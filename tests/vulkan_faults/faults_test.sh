@@ -136,7 +136,7 @@ broken_cache() {
     rm -rf broken
     cp -r cache broken
     same_without_a_word
-    # The file is not compared with the original one byte for byte, as not every driver writes the same bytes again.
+    # The new file is not compared byte for byte with the original, because some drivers write different bytes each time.
     for file in whole/mandelmarch/*.bin; do
         file=mandelmarch/${file##*/}
         [ "$(stat -c %s "cache/$file")" -ge $(($(stat -c %s "whole/$file") * 9 / 10)) ] && ! cmp -s "cache/$file" "broken/$file" ||

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude in C++ that counts loop iterations. Real numbers have no values and all lanes stay active, so every loop runs
-// to its limit. Values that are the same in all lanes are computed, as MM_REAL. Before including it, define MM_REAL,
-// MM_REAL_IS_FLOAT and MM_LOOPS, an expression for the counter. Include it inside a namespace and before the kernel
-// source; undefine.h removes its macros.
+// to its limit. Only values that are the same in all lanes are computed; their type is MM_REAL. Before including it,
+// define MM_REAL, MM_REAL_IS_FLOAT and MM_LOOPS, an expression for the counter. Include it inside a namespace and
+// before the kernel source; undefine.h removes its macros.
 #include "core/kernel/prelude/counted_loops.h"
 #include "core/kernel/prelude/words.h"
 
