@@ -29,14 +29,15 @@ def _baseline(material: Material) -> str:
         return ""
     backends = [b for b in bench.environment["backends"] if b["compiler"].startswith(HOST_COMPILERS)]
     plain = [b["name"] for b in backends if "-march" not in b["flags_exact"] + b["flags_fast"] and b["name"] != material.backends.host]
+    built = Markup("").join(_built_for_this_machine(material, file) for file in material.results.duels)
     if not plain:
-        return ""
+        return built
     host = material.backends.host
     text = Markup(
         "The scalar kernel and {} are compiled without -march, for the compiler's baseline ({}). {}'s packs select their "
         "instructions at run time; OpenCL and Vulkan compile for the processor on which they run."
     ).format(join(plain), named("x86-64: SSE2, no fused multiply-add"), host)
-    return text + Markup("").join(_built_for_this_machine(material, file) for file in material.results.duels)
+    return text + built
 
 
 def _built_for_this_machine(material: Material, file: str) -> Markup:
