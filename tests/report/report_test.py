@@ -103,7 +103,7 @@ class ReportTest(unittest.TestCase):
         self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[434 – 480\]</td><td.*?>7.77</td>")
         self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
         # A duel with a build for this processor.
-        times = "take 0.900 to 1.25 times as long in exact mode and 0.800 to 0.800 times in fast mode"
+        times = "take 0.9 to 1.25 times as long in exact mode and 0.8 to 0.8 times in fast mode"
         self.assertIn(f"Compiled by GNU 99 with -march=native, the models {times}", re.sub("<.*?>", "", page))
         # The ladder.
         self.assertRegex(page, r"float for double</td><td.*?>33.3</td><td.*?>3.00</td><td.*?>\[2.86, 3.16\]</td>")
