@@ -192,8 +192,8 @@ double likeness(const DepthView& a, const DepthView& b)
         mirrored += x[n] * y[m];
     }
     const double scale = std::sqrt(xx * yy);
-    // The correlation with a view of constant depth is undefined. Such a view counts as equal to another one of
-    // constant depth, and as unlike all others.
+    // If a view has constant depth, its correlation with another view is undefined. Two views of constant depth count
+    // as equal (1). A view of constant depth and any other view count as unlike (0).
     return scale > 0 ? std::max(xy, mirrored) / scale : xx == yy ? 1 : 0;
 }
 

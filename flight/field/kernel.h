@@ -19,8 +19,8 @@ struct Points {
     const double* z;
 };
 
-// Limits of a ray of length t. It ends where the estimate is at most floor + tolerance * t, where t reaches `end`, or
-// after `steps` steps.
+// Limits of a ray that has reached the length t. The ray ends if the estimate there is at most floor + tolerance * t,
+// if t is at least `end`, or if the ray has taken `steps` steps.
 struct Reach {
     double floor;
     double tolerance;

@@ -48,7 +48,7 @@ public:
     {
     }
 
-    // Searches a gate around a free point. Returns nullopt if there is none.
+    // Searches for a gate around a free point. Returns nullopt if none is found.
     std::optional<Gate> from(Ball place) const
     {
         Gate gate{place.centre, {}, place.clearance, 0, {}, {}, 0};
@@ -94,8 +94,9 @@ private:
         gate.axis = dot(axis, gate.axis) < 0 ? -1 * axis : axis;
     }
 
-    // Sets gate.axis to one of 32 lines through the centre. The line must be free at both ends, and the fraction of the
-    // directions across it that hit a wall must be the largest. Returns false if that fraction is too small.
+    // Sets gate.axis to the best of 32 lines through the centre. Lines that hit a wall at one of their ends are left
+    // out. The best line is the one for which the fraction of directions across it that hit a wall is the largest.
+    // Returns false if this fraction is smaller than enough_.
     bool tunnel(Gate& gate) const
     {
         static const auto directions = [] {
@@ -223,7 +224,7 @@ private:
             std::array<double, 9> found{};
             for (std::size_t k = 0; k < 9; ++k) points[k] = at + 0.5 * clear * headings[k];
             field_.distances(points, found);
-            found[0] *= 1.02;  // prefer to go straight on
+            found[0] *= 1.02;  // prefers the way straight on
             const auto best = static_cast<std::size_t>(std::ranges::max_element(found) - found.begin());
             at = points[best];
             clear = best == 0 ? found[0] / 1.02 : found[best];
