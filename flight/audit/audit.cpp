@@ -23,7 +23,7 @@ constexpr double most_wall_step = 0.25;   // clearances per frame; limit on the 
 constexpr double turn_cap = 1.2;          // degrees per frame; largest turn of the camera
 constexpr double aside = 60;              // degrees between gaze and motion; a larger angle counts as looking aside
 constexpr double stillness = 0.25;        // clearances; a camera that stays within this radius stands still
-constexpr double official_seconds = 240;  // the flight time for which the threshold of passages is given
+constexpr double official_seconds = 240;  // seconds; flight time to which the threshold of passages applies
 
 class Auditor {
 public:

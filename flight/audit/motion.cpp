@@ -24,8 +24,8 @@ constexpr double narrowing = 2;  // ratio of the clearances outside and inside a
 constexpr double same_clearances = 2;  // clearances
 constexpr double same_size = 0.02;     // fractal sizes
 
-// Returns, for each frame but the last, the rotation from its camera to the next frame's. The direction of the vector
-// is the axis, its length is the angle in radians.
+// Returns, for each frame but the last, the rotation from its camera to the next frame's. A rotation is a vector: its
+// direction is the axis, and its length is the angle in radians.
 std::vector<Vector> rotations(const Path& path)
 {
     const auto camera = [&](std::size_t i) { return camera_of(scene_of(path, path.frames[i], 16, 9)); };

@@ -22,7 +22,7 @@ struct Run {
 
 class Runs {
 public:
-    // `threads`: 0 for one per core.
+    // `threads`: 0 for as many as the process may use.
     Runs(const Path& path, int threads);
 
     bool changes() const { return runs_.size() > 1; }

@@ -45,8 +45,8 @@ Place place_of(int pixel)
     return {(2 * (pixel % view_width) + 1.0) / view_width - 1, (2 * row + 1.0) / view_height - 1};
 }
 
-constexpr double same_view = 0.95;  // two views with a larger correlation are the same
-constexpr double moved_on = 0.5;    // two views with a smaller correlation differ
+constexpr double same_view = 0.95;  // two views with a larger correlation count as the same
+constexpr double moved_on = 0.5;    // two views with a smaller correlation count as different
 constexpr double minute = 60;       // seconds
 constexpr double much_sky = 0.4;    // a view with a smaller fraction of hit pixels mostly shows the background
 constexpr double shown = 0.05;      // with a smaller fraction of hits in the centre, the fractal is only at the edge

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distances of points and lengths of rays, computed with the kernel source. This header contains plain data only,
-// because translation units that are compiled for one instruction set include it, too.
+// Distances of points and lengths of rays, computed with the kernel source. This header contains plain data only. Code
+// that is compiled for one instruction set includes it, too, and functions compiled there must not run on processors
+// that lack these instructions.
 #pragma once
 
 #include <cstddef>

@@ -51,8 +51,8 @@ std::string box_of(std::string_view type, std::string_view content)
     return four_bytes(box_head + content.size()).append(type).append(content);
 }
 
-// Returns the boxes st3d and sv3d that describe the tags. They say that the picture's centre has yaw, pitch and roll 0
-// and that the picture is not cropped.
+// Returns the boxes st3d and sv3d that describe the tags. The boxes say that the picture's centre has yaw, pitch and
+// roll 0 and that the picture is not cropped.
 std::string boxes_of(const Tags& tags)
 {
     std::string boxes;

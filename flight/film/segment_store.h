@@ -24,8 +24,8 @@ void make_private_folder(const std::string& folder);
 
 class SegmentStore {
 public:
-    // Uses the folder PARTS/DIGEST, where DIGEST is the digest of the description; does not create it. `film`: the
-    // film's name in messages. `frames`: number of frames of the film.
+    // Uses the folder PARTS/DIGEST, where DIGEST is the digest of the description. Does not create this folder. `film`:
+    // the film's name in messages. `frames`: number of frames of the film.
     SegmentStore(const std::string& film, const std::string& parts, const std::string& description, std::size_t frames);
 
     const std::string& folder() const { return folder_; }

@@ -73,7 +73,7 @@ std::string escaped(const std::string& text, std::string_view characters)
     return made;
 }
 
-constexpr double brightening = 0.5;  // seconds at the end of the title
+constexpr double brightening = 0.5;  // seconds at the end of the title in which the picture brightens
 // The fraction of the width that a line may take, in a perspective picture and in a picture of all directions.
 constexpr double share_of_width = 0.92;
 constexpr double share_of_circle = 0.25;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The title: a few seconds of text over the flight's first frame, before the flight, in the largest letters that fit.
+// The title: text over the flight's first frame, shown for a few seconds before the flight.
 #pragma once
 
 #include <cstdint>

@@ -47,7 +47,7 @@ private:
     struct Cell {
         int x, y, z;
     };
-    static constexpr int parts = 4;  // fine cells along the edge of a coarse one
+    static constexpr int parts = 4;  // fine cells along the edge of a coarse cell
 
     std::size_t index(Cell c) const
     {

@@ -18,7 +18,7 @@ constexpr double ring_radius = 7;  // clearances; rays of the ring must hit a wa
 constexpr std::size_t lines = 32;  // candidates for a gate's axis
 constexpr int ring_rays = 16;      // rays from a gate's centre, perpendicular to its axis
 constexpr double widening = 2.3;   // clearances of the gate; a way out must lead to a point with a larger clearance
-constexpr double same_place = 2;   // clearances; gates closer to each other count as one
+constexpr double same_place = 2;   // clearances; two gates that are closer count as one
 
 // Returns 13 directions: the axes through the faces, edges and corners of a cube.
 std::array<Vector, 13> compass()
@@ -140,7 +140,7 @@ private:
     }
 
     // Moves the gate's centre to a saddle point of the clearance: a maximum across the axis and a minimum along it.
-    // Returns false if there is none nearby.
+    // Returns false if no saddle point is nearby.
     bool centre(Gate& gate) const
     {
         const double home = gate.clearance;
@@ -202,8 +202,8 @@ private:
     }
 
     // Follows a way out of the gate until it reaches a ball in wider space. Each step compares nine directions around
-    // the direction of the last step and takes the one that leads to the largest clearance. Returns false if no way out
-    // is found. `way`: 0 along the axis, 1 against it.
+    // the direction of the previous step and takes the one that leads to the largest clearance. Returns false if no way
+    // out is found. `way`: 0 along the axis, 1 against it.
     bool leave(Gate& gate, int way) const
     {
         Vector direction = way == 0 ? gate.axis : -1 * gate.axis;

@@ -27,13 +27,14 @@ constexpr double wanted_turn = 0.95;    // degrees per frame; the camera slows d
 constexpr double turn_limit = 1.17;     // degrees per frame; turns are limited to this, because the promise is 1.2
 constexpr double slowest = 0.08;        // smallest speed factor
 constexpr double usual_motion = 0.014;  // picture heights per frame; wanted median motion of the pixels
-constexpr int retimings = 7;            // times that speed and gaze are computed, each adapted to the other
+constexpr int retimings = 7;            // number of times that speed and gaze are adapted to each other
 // For shapes that change in flight:
 constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fraction of the pace
 constexpr double usual_slow = 0.7;   // wanted mean of a tour's speed factors
 constexpr double most_off = 1;       // frames; largest accepted time error at a keyframe
 
-// Limits of a plan's processor time. They are many times what the official shapes need.
+// Limit on a plan's processor time: usual_seconds plus seconds_a_frame for each frame. The limit is many times what the
+// official shapes need.
 constexpr double usual_seconds = 60;
 constexpr double seconds_a_frame = 0.02;
 
@@ -156,8 +157,7 @@ private:
         for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
     }
 
-    // Changes the curve's speed factors so that the motion of the pixels approaches usual_motion. The factors stay at
-    // most 1.
+    // Changes the curve's speed factors so that the motion of the pixels approaches usual_motion. No factor exceeds 1.
     void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Vector>& views,
                      const Director& director) const
     {

@@ -19,7 +19,7 @@ constexpr Roadmap::Effort one_shape{Balls::usual_coarse, 300'000};
 constexpr Roadmap::Effort first_of_many{48, 100'000};
 constexpr Roadmap::Effort one_of_many{48, 20'000};  // fewer tries, because the neighbour's gates are tried, too
 constexpr int roads_iterations = 30;                // limit; points that need more are too close for a camera
-constexpr double moved = 0.5;    // motion of the walls from one roadmap to the next, in units of its smallest clearance
+constexpr double moved = 0.5;    // motion of the walls from one roadmap to the next, in a roadmap's smallest clearance
 constexpr int most_values = 32;  // largest number of roadmaps of a schedule
 
 // Returns the step of the shape parameter that moves the walls by the distance `moved` in the median. The parameter

@@ -59,7 +59,8 @@ public:
     // free way to the place or, if there is no such ball, an empty node.
     Node near(int stretch, Vector place) const;
 
-    // Marks a ball and the balls linked to it as visited. Does the same for the balls at its place in later stretches.
+    // Marks a ball and the balls linked to it as visited. In each later stretch, does the same for the ball at the same
+    // place.
     void see(Node node);
     // Marks the gate's kind, and the kinds of gates at the same place in other shapes, as flown.
     void mark_flown(Entry entry);

@@ -41,8 +41,9 @@ struct Timed {
 // time is that frame. Returns the trajectory and its time error.
 Timed ride_in_time(const Bounds& bounds, Curve& track, double pace, int frames, const Schedule& schedule);
 
-// Returns the shape time at each of the first `frames` frames of a trajectory made by ride_in_time(). It is averaged
-// over three seconds, so that the shape does not change as suddenly as the clearance. At keyframes it is exact.
+// Returns the shape time at each of the first `frames` frames of a trajectory made by ride_in_time(). The shape time is
+// averaged over three seconds, because otherwise the shape would change as suddenly as the camera's speed. At keyframes
+// the shape time is exact.
 std::vector<double> clock_of(const Curve& track, const Trajectory& ride, int frames, const Schedule& schedule);
 
 }  // namespace mandelmarch

@@ -50,9 +50,9 @@ public:
     // Sets the view and its version. All panes are rendered again if the version is new. The scene's size is unused.
     // `marks`: pixels that differ from the first pane are marked.
     void set_view(const Scene& scene, std::uint64_t version, bool marks);
-    // Renders the missing pictures, at most until `until`. `moving`: the camera moves. In this case, chooses the
-    // pictures' size so that all of them together take `budget` seconds. Otherwise renders each picture at full size,
-    // once for each number of samples_at_rest that applies.
+    // Renders the missing pictures. Returns at the time `until` at the latest. `moving`: the camera moves. In this
+    // case, chooses the pictures' size so that all of them together take `budget` seconds. Otherwise renders each
+    // picture at full size, once for each number of samples_at_rest that applies.
     void work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
     // Returns true if a picture at rest is still missing.
     bool missing() const;
