@@ -38,7 +38,7 @@ constexpr int film_look = 3;                 // the default look (colouring type
 constexpr std::size_t long_flight = 20'000;  // frames; a message announces the audit of a longer flight
 
 // Returns the scene to fly through: that of the parameter file or, without one, the official scene. The scene's camera
-// is not used. `warns`: prints warnings about the file.
+// is not used. `warns`: true to print warnings about the file.
 Scene scene_of(const Flythrough& options, bool warns = false)
 {
     const Fractal& fractal = fractal_named(options.fractal);
@@ -63,7 +63,7 @@ void check_shape(const Flythrough& options, const Scene& scene)
     throw InputError(options.parameters.empty() ? objection : fmt::format("{}: {}", options.parameters, objection));
 }
 
-// Prints the first line of the planner's message to stderr. The other lines are a table of the tour's audit.
+// Prints the first line of the planner's message to stderr. The other lines, a table of the tour's audit, are left out.
 void log_plan(const std::string& text) { say("plan: {}\n", text.substr(0, text.find('\n'))); }
 
 // Returns the number of frames to plan. Flights are planned at frames_per_second and then converted to --fps.
@@ -167,7 +167,7 @@ int threads_for(int local)
 }
 
 // Returns the renderer's options for this rank. The ranks on a machine use different GPUs, if there are several, and
-// share its cores.
+// share the machine's cores.
 RendererOptions renderer_of(const Flythrough& options, const Backend& backend, const Ranks& ranks)
 {
     RendererOptions renderer = options.renderer;
@@ -274,7 +274,7 @@ int run(const Registry& registry, const Flythrough& options)
         return render(options, path, backend, renderer, *ranks);
     } catch (const std::exception&) {
         if (ranks->size() == 1) throw;
-        // run_program() prints this rank's error and returns its exit code; then all ranks are ended.
+        // run_program() prints this rank's error and returns its exit code. abort() then ends all ranks.
         const int code = run_program(
             "flythrough", [](int, char**) -> int { std::rethrow_exception(std::current_exception()); }, 0, nullptr);
         ranks->abort(code);
@@ -284,8 +284,8 @@ int run(const Registry& registry, const Flythrough& options)
 
 int body(int argc, char** argv)
 {
-    // Backends are created first, because they fork processes for drivers. This must happen before threads are started
-    // and MPI is initialised.
+    // Backends are created first, because they fork processes for drivers. A process must be forked before threads are
+    // started and MPI is initialised.
     const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Flythrough options = parse_flythrough(registry, argc, argv, done);

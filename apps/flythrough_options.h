@@ -46,8 +46,8 @@ struct Flythrough {
     // Returns true if the command reads the path from a file; false: it plans the path.
     bool reads_path() const { return command == Command::render || command == Command::audit; }
     Picture picture() const { return {width, height, samples, look, projection, stereo}; }
-    // Return the files that the command writes, and those that it reads, each with its option. The name of a file is
-    // empty if its option is not given.
+    // Returns the files that the command writes, each with its option. read() returns the files that the command reads.
+    // The path of a file is empty if its option is not given.
     std::vector<NamedFile> written() const;
     std::vector<NamedFile> read() const;
 };

@@ -21,8 +21,8 @@ namespace {
 
 using namespace mandelmarch;
 
-// Returns the command that traces the first differing pixel. FRACTAL and PARAMS in it are placeholders, because a
-// picture does not record its fractal and parameter file.
+// Returns the command that traces the first differing pixel. FRACTAL and PARAMS in the command are placeholders,
+// because a picture does not record its fractal and parameter file.
 std::string trace_command(const Image& image, const Comparison& c)
 {
     return fmt::format("bin/render --fractal FRACTAL PARAMS.dat --size {}x{} --pixel {},{} --trace", image.width(),

@@ -42,7 +42,7 @@ constexpr std::uint64_t fixed_memory = 128ULL << 20;  // bytes
 // An EXR file that is written to a pipe is built in memory, in two copies of nine channels of four bytes.
 constexpr std::uint64_t exr_stream_memory = 72;  // bytes per pixel
 constexpr int most_samples = 8;                  // per pixel side
-constexpr int largest_whole = 1'000'000;         // pixels; largest side of a picture of which a region is rendered
+constexpr int largest_whole = 1'000'000;         // pixels; largest side of a picture if only a region of it is rendered
 
 struct Options {
     std::string parameters;
@@ -155,7 +155,8 @@ void apply_size(const Options& options, Scene& scene)
     std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
 }
 
-// Returns the format for a file name. `commented`: the name comes from a line of a parameter file that has a comment.
+// Returns the format for a file name. `commented`: the name comes from a parameter file, from a line that ends with a
+// comment.
 ImageFormat format_of(const std::string& path, bool commented)
 {
     if (const auto format = image_format(path)) return *format;

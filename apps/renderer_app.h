@@ -6,7 +6,7 @@
 
 namespace mandelmarch {
 
-// The main function of these programs. `fractal`: the fractal's name; nullptr: the option --fractal gives it.
+// The main function of these programs. `fractal`: the fractal's name; nullptr if the option --fractal gives it.
 // `backends`: the function program_backends() (backends/all.h), passed in because this library does not link the
 // backends.
 int renderer_main(const char* program, const char* fractal, Registry (*backends)(int, char**), int argc, char** argv);

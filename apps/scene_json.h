@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two kinds of JSON for the report's viewer (docs/report-internals.md): all fractals with their formulas, which the
-// viewer uses, and a scene as kernels receive it, with which tests compare the viewer's.
+// JSON for the report's viewer (docs/report-internals.md). fractals_json() lists all fractals with their formulas,
+// which the viewer uses. scene_json() describes a scene as kernels receive it; tests compare it with the scene that the
+// viewer computes.
 #pragma once
 
 #include <string>
@@ -22,8 +23,8 @@ std::string fractals_json();
 // Returns a list of the fractals and their parameters as text for the user.
 std::string fractals_text();
 
-// Returns the fields of the kernel's Scene. The technique `tail` is disabled, because only packs support it. Throws
-// InputError as kernel_scene() does.
+// Returns the fields of the kernel's Scene as JSON. The technique `tail` is disabled, because only packs support it.
+// Throws InputError as kernel_scene() does.
 std::string scene_json(const Scene& scene, const RendererOptions& options);
 
 }  // namespace mandelmarch

@@ -10,7 +10,7 @@
 
 namespace mandelmarch {
 
-// Writes the file. Its times are in seconds. Throws Error if the file cannot be written.
+// Writes the JSON to the file `path`. Times are in seconds. Throws Error if the file cannot be written.
 void write_stats(const std::string& path, const Scene& scene, const RenderStats& report, const Survey& survey,
                  const std::vector<std::string>& warnings);
 

@@ -18,8 +18,8 @@ struct Survey {
 };
 
 // Surveys the scene as rendered by `renderer`, which was created with `options`. If the precision is float, the backend
-// `other` renders the scene in double for comparison. `eyes`: distance of the two eyes, over which results are
-// averaged; 0: one eye.
+// `other` renders the scene in double for comparison. `eyes`: distance between the two eyes of a stereo picture; 0: one
+// eye. If there are two eyes, the results are means of both.
 Survey survey_of(const Scene& scene, double eyes, const RendererOptions& options, Renderer& renderer,
                  const Backend& other);
 

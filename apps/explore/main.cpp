@@ -85,8 +85,8 @@ Settings settings_of(const Options& options, const std::string& file, std::strin
 
 int body(int argc, char** argv)
 {
-    // Backends are created first, because they fork processes for drivers. This must happen before threads are started
-    // and the window is opened.
+    // Backends are created first, because they fork processes for drivers. A process must be forked before threads are
+    // started and the window is opened.
     static const Registry registry = program_backends(argc, argv);
     std::optional<int> done;
     const Options options = parse_options(registry, argc, argv, done);

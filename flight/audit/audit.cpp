@@ -22,8 +22,8 @@ namespace {
 constexpr double most_wall_step = 0.25;   // clearances per frame; limit on the change of DE caused by a changing shape
 constexpr double turn_cap = 1.2;          // degrees per frame; largest turn of the camera
 constexpr double aside = 60;              // degrees between gaze and motion; a larger angle counts as looking aside
-constexpr double stillness = 0.25;        // clearances; a camera stands still while it stays within this radius
-constexpr double official_seconds = 240;  // the flight time for which the threshold of passages is given
+constexpr double stillness = 0.25;        // clearances; a camera that stays within this radius stands still
+constexpr double official_seconds = 240;  // seconds; flight time to which the threshold of passages applies
 
 class Auditor {
 public:
@@ -107,7 +107,7 @@ private:
         add_largest("largest step between frames / DE", steps, by_rate(bar), "");
     }
 
-    // Adds the largest relative change of DE between two frames that the change of shape alone causes.
+    // Adds the largest relative change of DE from one frame to the next that is due to the change of the shape alone.
     void walls()
     {
         std::vector<double> steps(places_.size(), 0);
@@ -126,8 +126,8 @@ private:
         add_largest("largest turn per frame", turns, cap, "deg");
     }
 
-    // Adds the longest time for which the camera stays within a quarter of its clearance from one point. A clearance
-    // counts as at most fastest_clearance().
+    // Adds the longest time during which the camera stays within a radius of one point. The radius is a quarter of the
+    // clearance at that point; a clearance above fastest_clearance() counts as fastest_clearance().
     void standing()
     {
         std::vector<double> radii(clearances_.size());

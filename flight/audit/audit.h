@@ -12,7 +12,7 @@
 
 namespace mandelmarch {
 
-// One item of the audit: a measured value with its threshold.
+// An item of the audit: a measured value and its threshold `bar`.
 struct Row {
     std::string name;
     double value = 0;
@@ -20,8 +20,8 @@ struct Row {
     bool at_most = true;   // `bar` is an upper limit; false: a lower limit
     bool promise = false;  // true: a path that misses `bar` is rendered only with --force
     std::string unit = {};
-    std::optional<std::size_t> frame = {};  // with the worst value
-    std::string note = {};                  // on the value, if no single frame is the worst; may be empty
+    std::optional<std::size_t> frame = {};  // the frame with the worst value
+    std::string note = {};                  // about the value, if no single frame is the worst; may be empty
 
     bool kept() const { return at_most ? value <= bar : value >= bar; }
     // Returns the frame, such as "frame 12", or the note.
@@ -35,11 +35,12 @@ struct Audit {
     int bars_missed() const;
 };
 
-// Measures all items. `threads`: 0 for one per core; the result does not depend on it. `planning`: planning time in
-// seconds; becomes an item of the audit if > 0. `stride`: items about views use every stride-th frame only.
+// Measures all items. `threads`: 0 for as many as the process may use; the number does not change the result.
+// `planning`: the planning time in seconds; an item of the audit if it is positive. `stride`: items about views use
+// every stride-th frame only.
 Audit audit(const Path& path, int threads, double planning = 0, int stride = 1);
 
-// Measures only the promises. This is faster, because promises do not need views.
+// Measures only the promises. This is faster than audit(), because no views are computed.
 Audit audit_promises(const Path& path, int threads);
 
 std::string table_of(const Path& path, const Audit& audit);

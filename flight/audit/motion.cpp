@@ -20,12 +20,12 @@ constexpr double some_horizon = 0.25;     // the value of Tilt::horizon for a ga
 constexpr double level = 30;              // degrees; a picture with a smaller tilt looks level
 
 constexpr double narrowing = 2;  // ratio of the clearances outside and inside a passage
-// Passages closer to each other than the larger of these two count as one.
+// Two passages count as one if the distance between them is less than the larger of these two lengths.
 constexpr double same_clearances = 2;  // clearances
 constexpr double same_size = 0.02;     // fractal sizes
 
-// Returns, for each frame but the last, the rotation from its camera to the next frame's. The direction of the vector
-// is the axis, its length is the angle in radians.
+// Returns, for each frame but the last, the rotation from its camera to the next frame's. A rotation is a vector: its
+// direction is the axis, and its length is the angle in radians.
 std::vector<Vector> rotations(const Path& path)
 {
     const auto camera = [&](std::size_t i) { return camera_of(scene_of(path, path.frames[i], 16, 9)); };
@@ -99,8 +99,8 @@ std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vec
 {
     std::vector<Passage> passages;
     std::vector<Vector> known;
-    // When the clearance has fallen to half of `widest` or less, `least` becomes the frame with the smallest clearance
-    // from there on. That frame is a passage once the clearance has grown to twice its value there.
+    // Once the clearance has fallen to half of `widest` or less, `least` holds the frame with the smallest clearance
+    // since then. `least` is a passage if the clearance then grows to twice the clearance of `least`.
     double widest = 0;  // the largest clearance since the last passage
     bool narrowed = false;
     Passage least{0, 0};
@@ -137,8 +137,9 @@ Stand longest_stand(std::span<const Vector> places, std::span<const double> radi
             ++longest.distances;
             return length(places[j] - places[i]) <= radii[i];
         };
-        // If the stand that begins at i is longer than the longest so far, it includes `far`. The place that ended the
-        // last stand probably ends this one, too, and is therefore tested first.
+        // If the stand that begins at i is longer than the longest so far, it includes `far` and every place before
+        // `far`. Among these, the place `outside`, which ended the last stand, is the most likely to end this one, too.
+        // Therefore these two places are tested before the others.
         const std::size_t far = i + longest.steps + 1;
         if (!within(far) || (outside > i && outside < far && !within(outside))) continue;
         outside = i + 1;

@@ -23,7 +23,7 @@ std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
 // from vertical count.
 Row level_row(const Path& path);
 
-// A place at which a path's clearance falls to half or less and then becomes at least twice as large again.
+// A place at which a path's clearance falls to half or less and then at least doubles.
 struct Passage {
     std::size_t frame;  // the passage's frame with the smallest clearance
     double clearance;
@@ -32,21 +32,21 @@ struct Passage {
 // A function that returns the distance field of a frame.
 using FieldOf = std::function<const DistanceField&(std::size_t frame)>;
 
-// Returns the passages inside the bounds, from the positions and clearances of a path's frames. A passage that the
-// fractal's symmetry maps onto an earlier one is left out.
+// Returns the passages inside the bounds, from the positions and clearances of a path's frames. A passage is left out
+// if it is close to an earlier one, or if the fractal's symmetry maps it to a place close to an earlier one.
 std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
                                        std::span<const double> clearances);
 
 // A stretch of frames in which the camera stays within a radius of its place in the first frame.
 struct Stand {
     std::size_t first = 0;      // index of the first frame
-    std::size_t steps = 0;      // number of consecutive frames after it that lie within its radius
+    std::size_t steps = 0;      // number of consecutive frames after the first that lie within the radius
     std::size_t distances = 0;  // number of distances that the search computed
 };
 
 // Returns the longest stand, or the first of several equally long ones. places[first + 1] to places[first + steps] are
-// at most radii[first] away from places[first]. If the camera stands still or moves steadily, the time is proportional
-// to the number of places.
+// at most radii[first] away from places[first]. If the camera stands still or moves steadily, the running time is
+// proportional to the number of places.
 Stand longest_stand(std::span<const Vector> places, std::span<const double> radii);
 
 }  // namespace mandelmarch

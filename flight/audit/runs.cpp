@@ -10,7 +10,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr int deepest = 7;     // limit on how often the time between two frames is halved
-constexpr double even = 0.25;  // see free_between(); in units of the smaller clearance of the interval's ends
+constexpr double even = 0.25;  // "close" in free_between(), in units of the smaller clearance at the two ends
 
 Scene halfway(const Scene& from, const Scene& to)
 {

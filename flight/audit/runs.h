@@ -11,7 +11,7 @@
 
 namespace mandelmarch {
 
-// Fractal sizes; points whose estimate is not larger count as solid.
+// The estimate, in fractal sizes, up to which a point counts as solid.
 inline constexpr double in_solid = 1e-5;
 
 // Consecutive frames whose shape, iterations and escape radius are the same, and their distance field.
@@ -22,7 +22,7 @@ struct Run {
 
 class Runs {
 public:
-    // `threads`: 0 for one per core.
+    // `threads`: 0 for as many as the process may use.
     Runs(const Path& path, int threads);
 
     bool changes() const { return runs_.size() > 1; }
@@ -35,12 +35,12 @@ public:
     std::vector<double> clearances() const;
 
     // Returns true if the camera meets no solid on its way from the previous frame to this one. The straight segment is
-    // tested in the shapes of both frames. If these differ, moments in between are tested as well, with position and
-    // shape interpolated linearly. `clearances`: the estimates at all frames' eyes.
+    // tested in the shapes of both frames. If the shapes differ, moments in between are tested as well, with position
+    // and shape interpolated linearly. `clearances`: the estimates at all frames' eyes.
     bool free_before(std::size_t frame, std::span<const double> clearances) const;
 
-    // Returns the change of the estimate at the frame's eye between the shapes of the previous frame and this one,
-    // divided by the smaller of the two estimates.
+    // Returns the difference of two estimates at the frame's eye, divided by the smaller of the two: one for the shape
+    // of the previous frame, and one for the shape of this frame.
     double wall_step(std::size_t frame, std::span<const double> clearances) const;
 
 private:
@@ -49,8 +49,8 @@ private:
         double clearance;
     };
     // Returns true if the estimate is above `floor` halfway between the moments and, by recursion, halfway in both
-    // halves. The recursion ends when the estimate halfway is close to the mean of those at the ends, or at the
-    // greatest depth.
+    // halves. The recursion ends when the estimate halfway is close to the mean of the estimates at the two ends, or
+    // when it has reached the greatest depth.
     static bool free_between(const Moment& from, const Moment& to, double floor, int depth);
 
     const Path& path_;

@@ -45,8 +45,8 @@ Place place_of(int pixel)
     return {(2 * (pixel % view_width) + 1.0) / view_width - 1, (2 * row + 1.0) / view_height - 1};
 }
 
-constexpr double same_view = 0.95;  // two views with a larger correlation are the same
-constexpr double moved_on = 0.5;    // two views with a smaller correlation differ
+constexpr double same_view = 0.95;  // two views with a larger correlation count as the same
+constexpr double moved_on = 0.5;    // two views with a smaller correlation count as different
 constexpr double minute = 60;       // seconds
 constexpr double much_sky = 0.4;    // a view with a smaller fraction of hit pixels mostly shows the background
 constexpr double shown = 0.05;      // with a smaller fraction of hits in the centre, the fractal is only at the edge
@@ -192,8 +192,8 @@ double likeness(const DepthView& a, const DepthView& b)
         mirrored += x[n] * y[m];
     }
     const double scale = std::sqrt(xx * yy);
-    // The correlation with a view of constant depth is undefined. Such a view counts as equal to another one of
-    // constant depth, and as unlike all others.
+    // If a view has constant depth, its correlation with another view is undefined. Two views of constant depth count
+    // as equal (1). A view of constant depth and any other view count as unlike (0).
     return scale > 0 ? std::max(xy, mirrored) / scale : xx == yy ? 1 : 0;
 }
 

@@ -38,16 +38,17 @@ struct DepthView {
 // Returns the unit vector from the camera through the centre of a view's pixel.
 Vector direction_of(const Camera& camera, int pixel);
 
-// Returns the view of a frame, whose shape must be that of the field.
+// Returns the view of a frame. `field`: the distance field of the frame's shape.
 DepthView view_of(const DistanceField& field, const Frame& frame);
 
-// Returns the median motion of pixels from one frame to the next, in picture heights. `seen`: the view from the first
-// frame. Pixels of the background are left out, because the motion of a plain colour is invisible; but if at most 2 %
-// of the pixels hit something, all pixels count.
+// Returns the median motion of pixels between the frames `from` and `to`, in picture heights. `seen`: the view of the
+// frame `from`. If more than 2 % of the pixels hit something, only these pixels count, because the motion of a plain
+// background is invisible. Otherwise all pixels count.
 double median_motion(const DepthView& seen, const Frame& from, const Frame& to);
 
-// Returns the same median for the points that given rays hit; 0 without rays. The rays start at `from.eye`. `along`:
-// their unit vectors; `depths`: the distances of the hit points, +infinity if a ray hits nothing.
+// Returns the median motion, in picture heights, of the points that the given rays hit; 0 if there are no rays. The
+// rays start at `from.eye`. `along`: their unit vectors; `depths`: the distances of the hit points, +infinity if a ray
+// hits nothing.
 double median_motion(std::span<const Vector> along, std::span<const float> depths, const Frame& from, const Frame& to);
 
 // Returns the correlation of the logarithms of two views' depths. It is computed with `b` as it is and with `b`
@@ -71,7 +72,7 @@ std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances,
 // at the picture's edge.
 std::vector<Row> subject_rows(const Seen& seen, std::size_t stride);
 
-// Returns the number of views that are seen again within a minute, after a different view in between.
+// Returns the number of views that are seen again within a minute, with a different view in between.
 Row again_row(const Seen& seen);
 
 }  // namespace mandelmarch

@@ -47,7 +47,7 @@ std::size_t padded(std::size_t count, int lanes)
 double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
 // Returns a sphere around the origin that contains the fractal. Rays are cast from far outside towards the origin; the
-// radius is that of the outermost hit plus 2 %, and at least 0.1.
+// radius is the distance of the outermost hit from the origin plus 2 %, but at least 0.1.
 Bounds sphere_by_rays(const DistanceField& field)
 {
     constexpr int rays = 4000;

@@ -34,16 +34,18 @@ public:
     DistanceField(const Scene& scene, int threads, const Budget* budget = nullptr);
 
     const Scene& scene() const { return scene_; }
-    // The bounds that the fractal's descriptor gives, or else a sphere found by casting rays from far outside. The unit
-    // "fractal sizes" of many lengths is their size.
+    // The bounds that the fractal's descriptor gives, or else a sphere found by casting rays from far outside. If a
+    // length is given in "fractal sizes", the unit is the size of these bounds.
     const Bounds& bounds() const { return bounds_; }
     int threads() const { return threads_; }
     const Budget* budget() const { return budget_; }
 
-    // Returns the fraction of a distance estimate that is safe: a ball of that radius around the point is free space.
+    // Returns the safe fraction of a distance estimate. A ball around a point is free space if its radius is this
+    // fraction of the estimate at the point.
     double safety() const { return safety_; }
 
-    // Returns a point equivalent to p under the fractal's symmetry: the same one for all equivalent points.
+    // Returns a point that is equivalent to p under the fractal's symmetry. The result is the same for all equivalent
+    // points.
     Vector representative(Vector p) const { return scene_.fractal->flight.representative(scene_, p); }
 
     // Returns true if p lies in the region to be searched. That region contains, for every point in space, an
@@ -54,8 +56,8 @@ public:
     double distance(Vector p) const;
     void distances(std::span<const Vector> points, std::span<double> out) const;
 
-    // Marches rays and writes the length of each to `out`. `from`: their origins; `along`: their unit vectors; `reach`:
-    // where they end.
+    // Marches rays and writes the length of each to `out`. `from`: their origins; `along`: their directions, which are
+    // unit vectors; `reach`: the conditions under which they end.
     void casts(std::span<const Vector> from, std::span<const Vector> along, const field::Reach& reach,
                std::span<double> out) const;
 
@@ -82,8 +84,8 @@ private:
 std::string flight_objection(const Scene& scene);
 
 // Returns the clearance above which the camera does not fly faster: 0.1 fractal sizes. The camera's speed is
-// proportional to m = min(clearance, fastest_clearance). Planning therefore measures the cost of a way by its duration,
-// the integral of ds / m: its length in clearances.
+// proportional to m = min(clearance, fastest_clearance). The cost of a way is therefore its duration, the integral of
+// ds / m. In other words, it is the length of the way in clearances.
 inline double fastest_clearance(const Bounds& bounds) { return 0.1 * bounds.size; }
 
 }  // namespace mandelmarch

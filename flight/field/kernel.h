@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distances of points and lengths of rays, computed with the kernel source. This header contains plain data only,
-// because translation units that are compiled for one instruction set include it, too.
+// Distances of points and lengths of rays, computed with the kernel source. This header contains plain data only. Code
+// that is compiled for one instruction set includes it, too, and functions compiled there must not run on processors
+// that lack these instructions.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +20,8 @@ struct Points {
     const double* z;
 };
 
-// Limits of a ray of length t. It ends where the estimate is at most floor + tolerance * t, where t reaches `end`, or
-// after `steps` steps.
+// Limits of a ray that has reached the length t. The ray ends if the estimate there is at most floor + tolerance * t,
+// if t is at least `end`, or if the ray has taken `steps` steps.
 struct Reach {
     double floor;
     double tolerance;

@@ -21,8 +21,8 @@ public:
     const Budget* budget() const { return field_.budget(); }
 
     Scene scene(double value) const;
-    // Returns the distance field of the shape with this value. If that is not the usual value, the field is built in
-    // `room`, and the returned reference is valid as long as `room` is.
+    // Returns the distance field of the shape with this value. If the value is not the usual one, the field is built in
+    // `room`, and the returned reference is valid until `room` changes or ends.
     const DistanceField& at(double value, std::optional<DistanceField>& room) const;
 
     // Writes the estimate at each point. `values`: for each point, the parameter's value.

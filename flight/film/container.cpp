@@ -51,8 +51,8 @@ std::string box_of(std::string_view type, std::string_view content)
     return four_bytes(box_head + content.size()).append(type).append(content);
 }
 
-// Returns the boxes st3d and sv3d that describe the tags. They say that the picture's centre has yaw, pitch and roll 0
-// and that the picture is not cropped.
+// Returns the boxes st3d and sv3d that describe the tags. The boxes say that the picture's centre has yaw, pitch and
+// roll 0 and that the picture is not cropped.
 std::string boxes_of(const Tags& tags)
 {
     std::string boxes;
@@ -81,10 +81,10 @@ std::size_t box_in(std::string_view data, std::size_t begin, std::size_t end, st
     return end;
 }
 
-// Returns true if the file is a sequence of complete boxes and one of them is `moov`, which ffmpeg writes last. The
-// exit code alone is not enough: if the disk becomes full while ffmpeg 5.1 writes `moov`, it leaves an unreadable file
-// and returns 0. A box begins with four bytes of size and four of name; a size of 1 means that the size is in the next
-// eight bytes (ISO/IEC 14496-12, section 4.2).
+// Returns true if the file is a sequence of complete boxes and one of them is `moov`, which ffmpeg writes last.
+// ffmpeg's exit code does not suffice: if the disk becomes full while ffmpeg 5.1 writes `moov`, ffmpeg leaves an
+// unreadable file and returns 0. A box begins with four bytes of size and four of name; a size of 1 means that the size
+// is in the next eight bytes (ISO/IEC 14496-12, section 4.2).
 bool whole_mp4(const std::string& file)
 {
     std::error_code error;
@@ -110,8 +110,8 @@ bool whole_mp4(const std::string& file)
     return movie;
 }
 
-// Returns the size that a Matroska file must have according to its segment element; 0 if that does not give a size, as
-// in an unfinished file.
+// Returns the size that a Matroska file must have according to its segment element; 0 if the segment element does not
+// give a size, as in an unfinished file.
 std::uint64_t segment_end(std::ifstream& stream)
 {
     std::array<unsigned char, 64> head{};

@@ -28,7 +28,7 @@ std::vector<std::string> joining(Container container);
 // does not detect encoding errors.
 bool is_whole(const std::string& file, Container container);
 
-// The properties of a film's pictures that a player must know to show them.
+// The properties of a film's pictures that a player needs in order to show them.
 struct Tags {
     bool equirectangular = false;  // a picture shows all directions
     bool side_by_side = false;     // stereo; the left eye's picture is on the left
@@ -38,9 +38,9 @@ struct Tags {
 
 // Copies the MP4 file `from` to `to` and adds the boxes st3d and sv3d to its video track, as defined by Google's
 // "Spherical Video V2 RFC" (https://github.com/google/spatial-media/blob/master/docs/spherical-video-v2-rfc.md). ffmpeg
-// 5.1 keeps these boxes when it copies a file, but does not have an option that sets them. The movie box (moov) must be
-// the last box of the file, so that the offsets of the pictures do not change; ffmpeg writes it there. Throws Error if
-// `from` is not such a file.
+// 5.1 keeps these boxes when it copies a file, but does not have an option that sets them. The movie box (moov), which
+// grows, must be the last box of the file, where ffmpeg writes it. Otherwise the pictures behind it would move, and
+// their stored offsets would be wrong. Throws Error if `from` is not an MP4 file that ends with the movie box.
 void tag_mp4(const std::string& from, const std::string& to, const Tags& tags);
 
 }  // namespace mandelmarch

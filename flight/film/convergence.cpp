@@ -16,8 +16,8 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t every = 100;  // distance of the compared frames, in frames
-constexpr int strata = 4;           // a frame is divided into strata x strata cells, each with one patch at random
+constexpr std::size_t every = 100;  // frames from one compared frame to the next
+constexpr int strata = 4;           // a frame is divided into strata x strata cells; each has one patch at random
 constexpr int place_width = 48;     // pixels; width of a patch
 constexpr int place_height = 27;    // pixels; height of a patch
 constexpr double converged = 0.06;  // step factor; with a smaller one, far rays reach the limit on the number of steps
@@ -26,8 +26,8 @@ constexpr double median_bar = 2;
 constexpr double most_frames_bar = 4;
 constexpr double worst_bar = 6;
 
-// Returns the options of a film, except that each pixel computes its own occlusion. Shared occlusion changes the
-// lighting but not the steps, so it is left out of this comparison.
+// Returns the options of a film, except that each pixel computes its own occlusion. The comparison leaves out shared
+// occlusion, because it changes the lighting but not the steps.
 RendererOptions by_film_steps(const RendererOptions& options)
 {
     RendererOptions alone = without_trial(options);
@@ -35,8 +35,8 @@ RendererOptions by_film_steps(const RendererOptions& options)
     return alone;
 }
 
-// Returns options with which every ray marches from its beginning, instead of starting close to the hits of
-// neighbouring rays or of a cone.
+// Returns options with which every ray marches its whole length. With the film's options, rays may begin close to the
+// hits of neighbouring rays or where a cone has ended.
 RendererOptions by_short_steps(const RendererOptions& options)
 {
     RendererOptions alone = by_film_steps(options);
@@ -83,8 +83,8 @@ public:
     }
 
 private:
-    // Chooses a patch at random within one of the cells along a side of the frame. Returns the patch's first pixel and
-    // its length.
+    // Chooses the position of a patch along one side of the frame, at random within cell number `stratum`. Returns the
+    // patch's first pixel and its length in pixels.
     static std::pair<int, int> place(int side, int stratum, int pixels, FlightRandom& random)
     {
         const int begin = side * stratum / strata;

@@ -14,7 +14,7 @@
 namespace mandelmarch {
 
 // Returns one line of JSON with everything that the pixels of a path's pictures depend on, followed by the names and
-// values in `more`. It includes the program's digest, because another build may render other bits.
+// values in `more`. The line includes the program's digest, because another build may render other bits.
 std::string description_of(const Path& path, const Backend& backend, const Picture& picture,
                            const RendererOptions& renderer,
                            const std::vector<std::pair<std::string, std::string>>& more);
@@ -23,8 +23,8 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
 // 'AVX2'; ...". The value after "here" is that of `ours`. Empty if the descriptions are equal.
 std::string differences(const std::string& theirs, const std::string& ours);
 
-// Returns the summary of a rendered film: JSON with the device, the size, the mode and the frames of this run with
-// their times. `processes`: number of ranks. The time per frame is null if this run did not render a frame.
+// Returns the summary of a rendered film: JSON with the device, the size, the mode, the number of frames rendered in
+// this run, and the time. `processes`: number of ranks. The time per frame is null if this run did not render a frame.
 std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmStats& report,
                        int processes);
 

@@ -23,8 +23,8 @@ namespace {
 
 constexpr const char* no_space = "No space left on device";
 
-// Returns the line of ffmpeg's errors that names the cause: the message of a full disk, if it is among them, else the
-// first line, as later ones are more general.
+// Returns the line of ffmpeg's errors that names the cause. If one of the lines says that the disk is full, it is that
+// message, otherwise the first line, because later lines are more general.
 std::string cause_of(const std::string& errors)
 {
     if (errors.find(no_space) != std::string::npos) return no_space;
@@ -97,7 +97,7 @@ FfmpegProcess::Result FfmpegProcess::finish()
     if (hung_ || ended.timed_out) {
         result.cause = fmt::format("no answer in {:.6g} s", limit_);
     } else if (ended.code == 0 && result.cause != no_space) {
-        result.cause.clear();  // ffmpeg may return exit code 0 although it could not write the end of its file
+        result.cause.clear();  // not if the disk was full: ffmpeg may then return 0, too
     } else if (ended.signal != 0 || result.cause.empty()) {
         result.cause = ended.text();
     }
@@ -191,7 +191,7 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
 
 Encoder::~Encoder()
 {
-    // The writer may be blocked in write(); killing the child makes it return.
+    // The writer may be blocked in write(); killing the child makes write() return.
     if (writer_.joinable()) {
         process_->kill();
         writer_.join();

@@ -19,8 +19,8 @@ namespace mandelmarch {
 // Splits options at blanks.
 std::vector<std::string> words_of(const std::string& text);
 
-// Returns the program to run: the environment variable MANDELMARCH_FFMPEG, or "ffmpeg". A path is made absolute,
-// because ffmpeg runs in other folders.
+// Returns the name or path of ffmpeg: the value of the environment variable MANDELMARCH_FFMPEG, or "ffmpeg" if it is
+// not set. A path is made absolute, because ffmpeg runs in other folders.
 std::string ffmpeg();
 
 // Returns the time in seconds after which an ffmpeg that does not respond is killed: the value of the environment
@@ -38,11 +38,11 @@ std::vector<std::string> time_scale(int rate);
 // Returns ffmpeg's version line. Two films of the same inputs are bit-identical only if this line is the same.
 std::string ffmpeg_version();
 
-// A child process that reads its input from a pipe. It starts in the constructor; its output is kept.
+// A child process that reads its input from a pipe. The constructor starts the child; its output is kept.
 class FfmpegProcess {
 public:
     // `folder`: working directory; empty: the caller's. `limit`: seconds after which the child is killed if it does not
-    // read or does not end; finish() reports that. Throws Error if it cannot be started.
+    // read or does not end; finish() then reports the timeout. Throws Error if the child cannot be started.
     FfmpegProcess(const std::vector<std::string>& command, const std::string& folder,
                   double limit = ChildProcess::no_limit);
 
@@ -85,8 +85,8 @@ public:
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
-    // Adds one frame of RGB bytes, top row first. A background thread passes it to ffmpeg. Throws Error if that failed
-    // for an earlier frame.
+    // Adds one frame of RGB bytes, top row first. A background thread passes the frame to ffmpeg. Throws Error if
+    // ffmpeg did not accept an earlier frame.
     void add(std::vector<std::uint8_t> frame);
 
     // Completes the file. Throws Error if the encoder failed or did not write all frames.
@@ -103,8 +103,8 @@ private:
     bool broken_ = false;
 };
 
-// Runs ffmpeg with these arguments in a folder and returns its standard output. If it fails, throws Error with a
-// message of `what` and the cause.
+// Runs ffmpeg with these arguments in a folder and returns its standard output. If it fails, throws Error; the message
+// consists of `what` and the cause.
 std::string run_ffmpeg(const std::vector<std::string>& arguments, const std::string& folder, const std::string& what);
 
 // Returns the last number of frames in ffmpeg's progress output, or -1 if it has none.

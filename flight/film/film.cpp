@@ -184,7 +184,8 @@ private:
         make(part, Container::mp4, write, [&](const std::string& whole) { work_.finish(whole, file); });
     }
 
-    // Prints an estimate of the total time. For that, a few frames spread over the film are rendered and encoded.
+    // Prints an estimate of the total time. To measure the time per frame, renders and encodes a few frames that are
+    // spread over the film.
     void foretell(FrameMaker& maker, const std::vector<std::size_t>& todo) const
     {
         const TemporaryPath part(work_.folder() + "/" + work_.part_file(work_.segments()));
@@ -225,7 +226,7 @@ private:
     Coding coding_;
 };
 
-// Throws Error if this rank's description differs from rank 0's, as the ranks would then render different bits.
+// Throws Error if this rank's description differs from rank 0's, because the ranks would then render different bits.
 void check_ranks(const std::string& description, Ranks& ranks)
 {
     const std::string first = ranks.share(description);

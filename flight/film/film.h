@@ -33,7 +33,7 @@ struct FilmOptions {
 struct FilmStats {
     std::size_t segments = 0;  // segments of the whole film
     std::size_t rendered = 0;  // segments rendered in this run, by all ranks
-    std::size_t frames = 0;    // frames in these segments
+    std::size_t frames = 0;    // frames in the segments rendered in this run
     double seconds = 0;
     bool joined = false;  // true: the film is complete
 };

@@ -17,8 +17,9 @@ namespace {
 
 constexpr double eyes_distance = 1.0 / 30;  // clearances; the 1/30 rule of stereo for objects one clearance away
 
-// Returns the frame with a level camera for a picture that shows all directions. The field of view only sets the
-// pixels' height: that of a perspective picture whose plane at distance 1 is pi high.
+// Returns the frame with a level camera for a picture that shows all directions. The field of view then only serves to
+// compute the height of a pixel: the picture's height, which is an angle of pi, counts as a height of pi on a plane at
+// distance 1.
 Frame looking_everywhere(const Path& path, Frame frame)
 {
     const Frame& first = path.frames.front();

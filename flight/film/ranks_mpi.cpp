@@ -91,7 +91,7 @@ public:
                 MPI_Irecv(&answer, 1, MPI_LONG_LONG, 0, answer_tag, MPI_COMM_WORLD, &request);
                 wait_for(request);
                 if (answer < 0) break;
-                // clang-analyzer does not see that wait_for() completes the request, here and after the loop.
+                // clang-analyzer does not detect that wait_for() completes the request, here and after the loop.
                 body(static_cast<std::size_t>(answer));  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker)
                 done_before = answer;
             }

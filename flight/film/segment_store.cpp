@@ -26,7 +26,7 @@ constexpr const char* part_prefix = ".part-";
 constexpr const char* lock_name = "/lock";
 constexpr int most_tries = 100;
 
-// Returns true if `name` still names the open file. It does not if another run has removed the file.
+// Returns true if `name` still names the open file, and false if another run has removed the file.
 bool still_there(int descriptor, const std::string& name)
 {
     struct stat held {};
@@ -130,7 +130,8 @@ void SegmentStore::finish(const std::string& part, const std::string& file) cons
 {
     const std::string path = folder_ + "/" + part;
     const std::string finished = folder_ + "/" + file;
-    // Flush to disk before the renaming, so that a file with the final name is complete even after a power cut.
+    // Flushes the file to disk before renaming it, so that a file with the final name is complete even after a power
+    // cut.
     const Descriptor written(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (written.number() < 0 || fsync(written.number()) != 0) {
         throw Error(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));

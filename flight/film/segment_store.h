@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The segment store: the folder with a film's finished segments. With it, a later run continues an interrupted one.
+// The segment store: the folder with a film's finished segments. It lets a later run continue an interrupted one.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ void make_private_folder(const std::string& folder);
 
 class SegmentStore {
 public:
-    // Uses the folder PARTS/DIGEST, where DIGEST is the digest of the description; does not create it. `film`: the
-    // film's name in messages. `frames`: number of frames of the film.
+    // Uses the folder PARTS/DIGEST, where DIGEST is the digest of the description. Does not create this folder. `film`:
+    // the film's name in messages. `frames`: number of frames of the film.
     SegmentStore(const std::string& film, const std::string& parts, const std::string& description, std::size_t frames);
 
     const std::string& folder() const { return folder_; }
@@ -33,13 +33,13 @@ public:
     const std::string& made_of() const { return digest_; }
     std::size_t frames() const { return frames_; }
     std::size_t segments() const;
-    // Return the first frame of a segment, and the frame after its last one.
+    // Returns the first frame of a segment. last() returns the frame after the segment's last one.
     std::size_t first(std::size_t segment) const { return segment * segment_frames; }
     std::size_t last(std::size_t segment) const;
 
-    // Creates and locks the folder and writes the description to manifest.json in it. Several runs can open it at the
-    // same time if all set `shared`. Otherwise, unfinished files of killed runs are removed. Throws Error if another
-    // run holds the lock, or if the folder cannot be created.
+    // Creates the folder, locks PARTS, and writes the description to manifest.json in the folder. Several runs can open
+    // the store at the same time if all of them set `shared`. A run that does not set `shared` removes the unfinished
+    // files of killed runs. Throws Error if another run holds the lock, or if the folder cannot be created.
     void open(bool shared);
 
     std::string segment_file(std::size_t segment) const;  // the finished segment's name in the folder
@@ -53,7 +53,7 @@ public:
         std::string description;
         std::size_t segments = 0;
     };
-    // Returns all of these; the keys are their folders.
+    // Returns the unfinished films of the same name with other descriptions. The keys are their folders.
     std::map<std::string, Other> others() const;
 
     // Removes the segments. Called after the film is complete.

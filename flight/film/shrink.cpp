@@ -20,7 +20,8 @@ struct Share {
 };
 
 // The weights with which `samples` samples are averaged to `pixels` pixels along one side of the picture. Pixel i is
-// the weighted mean of the shares all[first[i]] to all[first[i + 1] - 1]; their weights add up to `whole`.
+// the weighted mean of the shares all[first[i]] to all[first[i + 1] - 1]. The weights of these shares add up to
+// `whole`.
 struct Shares {
     std::vector<Share> all;
     std::vector<std::size_t> first;

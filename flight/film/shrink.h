@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a film from samples: the mean of several samples per pixel, or a filter for one sample per pixel.
+// Pixels of a film's pictures, computed from samples. If there are several samples per pixel, a pixel is their mean. If
+// there is one sample per pixel, a filter is applied to the samples.
 #pragma once
 
 #include <cstdint>

@@ -22,11 +22,11 @@ namespace {
 
 constexpr int least_letter = 8;          // pixels; smallest legible size, but a smaller wanted size is allowed
 constexpr double rather_broken = 0.6;    // fraction of the wanted size below which a line is broken in two
-constexpr int tab_blanks = 4;            // as in ffmpeg's drawtext
-constexpr std::size_t most_lacking = 8;  // letters listed in a message
+constexpr int tab_blanks = 4;            // blanks in place of a tab, as in ffmpeg's drawtext
+constexpr std::size_t most_lacking = 8;  // largest number of letters that a message lists
 constexpr std::string_view line_ends = "\n\r\f\v";
 
-// Removes the first letter from a UTF-8 text and returns it; nullopt if the bytes are invalid.
+// Removes the first letter from a UTF-8 text and returns that letter; nullopt if the bytes are invalid.
 std::optional<char32_t> take_letter(std::string_view& text)
 {
     const auto first = static_cast<unsigned char>(text.front());
@@ -73,11 +73,11 @@ std::string escaped(const std::string& text, std::string_view characters)
     return made;
 }
 
-constexpr double brightening = 0.5;  // seconds at the end of the title
+constexpr double brightening = 0.5;  // seconds at the end of the title in which the picture brightens
 // The fraction of the width that a line may take, in a perspective picture and in a picture of all directions.
 constexpr double share_of_width = 0.92;
 constexpr double share_of_circle = 0.25;
-constexpr double title_height = 0.4;  // as fractions of a picture's height, for all lines of the text together
+constexpr double title_height = 0.4;  // fraction of the picture's height; for all lines of the title together
 constexpr double authors_height = 0.3;
 
 // One line of the title. Lengths are in pixels. The text is not escaped, because ffmpeg reads it from a file.
@@ -96,7 +96,7 @@ std::vector<TitleLine> title_lines(const Title& title, const Picture& picture)
     if (title.empty()) return all;
     const Font font(title_font());
     // Adds the lines of a text. Line number `fixed` is placed `below_middle` pixels below the picture's middle, the
-    // other lines above and below that one.
+    // other lines above and below it.
     const auto add = [&](const Lettering& letters, int below_middle, std::size_t fixed) {
         for (std::size_t i = 0; i < letters.lines.size(); ++i) {
             const double lines = static_cast<double>(i) - static_cast<double>(fixed);
@@ -246,7 +246,8 @@ void write_title(const std::string& folder, const std::string& file, const std::
     const auto frames = static_cast<int>(title_frames(coding.frames_per_second));
     const int bright = std::max(1, static_cast<int>(std::lround(brightening * coding.frames_per_second)));
     for (int i = 0; i < frames; ++i) {
-        // The frame has a third of its brightness. During the last half second it brightens to its full brightness.
+        // The first frame of the flight is shown at a third of its brightness. In the last half second it becomes as
+        // bright as in the flight.
         const int light = bright + 2 * std::max(0, i - (frames - bright));
         std::vector<std::uint8_t> frame = first;
         for (auto& c : frame) c = static_cast<std::uint8_t>(c * light / (3 * bright));

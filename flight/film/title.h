@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The title: a few seconds of text over the flight's first frame, before the flight, in the largest letters that fit.
+// The title: text over the flight's first frame, shown for a few seconds before the flight.
 #pragma once
 
 #include <cstdint>
@@ -53,9 +53,9 @@ struct Lettering {
 
 inline constexpr double line_height = 1.3;  // in units of the letters' size
 
-// Lays out the text in letters of the wanted size, or smaller ones if it would not fit into `width` x `height`; all in
-// pixels. A long line is broken in two if that makes the letters larger. Throws InputError if the letters would be
-// illegible, or as Font::check() does. The message begins with `option`.
+// Lays out the text in letters of the size `wanted`, or in smaller letters if it would not fit into `width` x `height`
+// otherwise. These three arguments are in pixels. A long line is broken in two if that makes the letters larger. Throws
+// InputError if the letters would be illegible, or as Font::check() does. The message begins with `option`.
 Lettering lettering(const Font& font, const std::string& option, const std::string& text, int wanted, double width,
                     double height);
 
@@ -70,9 +70,9 @@ struct Title {
 // font lacks. Throws Error if the font cannot be read.
 void check_title(const Title& title, const Picture& picture);
 
-// Writes the title as a video file of title_seconds. It shows the picture `first` (RGB, top row first) darkened, and
-// over it both texts, in stereo once for each eye. A text that is too long gets smaller letters; an empty one is left
-// out. Throws as check_title() does, and Error if the encoder fails.
+// Writes the title as a video file of title_seconds. The video shows both texts over the darkened picture `first` (RGB,
+// top row first). In stereo, each text appears once for each eye. A text that is too long gets smaller letters; an
+// empty text is left out. Throws as check_title() does, and Error if the encoder fails.
 void write_title(const std::string& folder, const std::string& file, const std::vector<std::uint8_t>& first,
                  const Picture& picture, const Title& title, const Coding& coding);
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures of flights through a fractal: those by which a tour is planned, and the limits that the audit checks.
+// Measures of flights through a fractal: values with which a tour is planned, and limits that the audit checks.
 #pragma once
 
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
 
-// Lengths of the plan are fractions of the size of the fractal's bounds; a clearance is the estimated distance from the
-// surface.
+// The clearances `roads`, `gate_least` and `gate_most` are in fractal sizes. A fractal size is the size of the
+// fractal's bounds; a clearance is the estimated distance from the surface.
 struct FlightMeasures {
     double roads = 0.012;        // min clearance of the balls of free space through which a tour is planned
     double gate_least = 0.0040;  // min clearance of a gate, a narrow passage
@@ -22,7 +22,7 @@ struct FlightMeasures {
     Limits limits{};
 };
 
-// Returns the measures that were found for this fractal, or the defaults.
+// Returns the fractal's own measures, or the defaults if it has none.
 const FlightMeasures& flight_measures(const Fractal& fractal);
 
 }  // namespace mandelmarch

@@ -46,7 +46,7 @@ Frame with_numbers(Frame frame, const CameraNumbers& n)
 }
 
 // Returns the second derivatives M (per frame squared) of the natural cubic spline through the values v. They satisfy
-// M[i-1] + 4 M[i] + M[i+1] = 6 (v[i-1] - 2 v[i] + v[i+1]), which is solved by Thomas's algorithm.
+// M[i-1] + 4 M[i] + M[i+1] = 6 (v[i-1] - 2 v[i] + v[i+1]). Thomas's algorithm solves these equations.
 std::vector<CameraNumbers> bends(const std::vector<CameraNumbers>& values)
 {
     const std::size_t count = values.size();

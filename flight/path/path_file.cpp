@@ -65,7 +65,8 @@ constexpr std::array<std::string_view, 7> scene_keys{"detail",    "shape",      
 constexpr std::array<std::string_view, 10> frame_keys{
     "location", "look_at", "up", "field_of_view", "detail", "shape", "iterations", "escape", "colouring", "brightness"};
 
-// Reads and checks the values of one JSON object. Its messages begin with `place`, the file and the object in it.
+// Reads and checks the values of one JSON object. Error messages begin with `place`, which names the file and the
+// object.
 class PathReader {
 public:
     PathReader(const Json& object, std::string place, const Fractal& fractal)

@@ -8,7 +8,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double margin = 1.2;        // fractal sizes; half the edge of the cube that is filled with balls
-constexpr double cover_share = 0.95;  // of an older ball's radius; new balls are centred farther away
+constexpr double cover_share = 0.95;  // fraction of a ball's radius within which no further ball is centred
 constexpr double overlap = 0.95;      // centres of linked balls are closer than this fraction of the sum of their radii
 
 }  // namespace
@@ -155,7 +155,7 @@ void Balls::cover()
     }
 }
 
-// Links pairs of balls that overlap, and pairs for which a ball at the midpoint of their centres overlaps both.
+// Links pairs of balls that overlap, and pairs for which a ball at the midpoint of their centres would overlap both.
 void Balls::link()
 {
     links_.resize(balls_.size());

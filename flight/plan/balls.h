@@ -24,7 +24,7 @@ struct Link {
 class Balls {
 public:
     // Fills a cube with balls whose clearance is at least `least`. The cube's half edge is 1.2 fractal sizes. Some
-    // balls may not be connected with the outside; holding() does not return them. Points inside the bounds whose
+    // balls may not be connected with the outside; holding() does not return such balls. Points inside the bounds whose
     // clearance is at least `narrow` are collected as narrows(). `coarse`: number of coarse cells along an edge of the
     // cube.
     Balls(const DistanceField& field, double least, double narrow, int coarse = usual_coarse);
@@ -47,7 +47,7 @@ private:
     struct Cell {
         int x, y, z;
     };
-    static constexpr int parts = 4;  // fine cells along the edge of a coarse one
+    static constexpr int parts = 4;  // fine cells along the edge of a coarse cell
 
     std::size_t index(Cell c) const
     {

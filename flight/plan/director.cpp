@@ -26,14 +26,14 @@ constexpr int most_steps = 60;                   // a ray with more steps counts
 constexpr std::size_t slot_frames = 10;          // the gaze is chosen for every tenth frame
 constexpr double farthest_turn = 11.5 * degree;  // largest turn from one choice to the next
 constexpr double most_aside = 50 * degree;       // angle between gaze and motion beyond which the cost rises steeply
-constexpr double off_motion = 0.5;               // cost at the angle most_aside
-constexpr double too_far_off = 20;               // cost at twice that angle, in addition
+constexpr double off_motion = 0.5;               // cost of the angle most_aside between gaze and motion
+constexpr double too_far_off = 20;               // additional cost of twice that angle
 constexpr double turning = 0.6;                  // cost of a turn by farthest_turn
 
 // Thresholds for the contents of a view, tuned with ten seeds for each of two fractals.
 constexpr double enough_hits = 0.75, few_hits = 0.3;     // fractions of the view that hit something
 constexpr double enough_middle = 0.6;                    // fraction of the central part that hits something
-constexpr double wall_distance = 2.2, much_wall = 0.65;  // a wall is closer (clearances); fraction of the view
+constexpr double wall_distance = 2.2, much_wall = 0.65;  // walls are closer (clearances); a larger fraction costs
 constexpr double enough_depths = 0.55;                   // standard deviation of the logarithms of the depths
 
 const Sphere& sphere()
@@ -58,7 +58,8 @@ bool is_middle(int direction, int other)
 
 double angle_of_units(Vector a, Vector b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
 
-// A turn of the gaze from a direction to another, with its cost. turns() returns all turns that end at each direction.
+// A turn of the gaze from the direction `from` to another one, with its cost. turns() returns, for each direction, all
+// turns that end at it.
 struct Turn {
     int from;
     double cost;
@@ -220,7 +221,7 @@ double Director::motion(double sample, const Frame& from, const Frame& to) const
 
 std::vector<Vector> Director::gaze(const Trajectory& ride, int frames) const
 {
-    // The gaze is chosen in slots: at every tenth frame, and at the last frame.
+    // Slots are the frames for which the gaze is chosen: every tenth frame, and the last frame.
     const std::size_t slots = (static_cast<std::size_t>(frames) + slot_frames - 2) / slot_frames + 1;
     const auto frame_of = [&](std::size_t slot) {
         return std::min(slot * slot_frames, static_cast<std::size_t>(frames) - 1);

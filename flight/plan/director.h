@@ -34,19 +34,22 @@ private:
 std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::span<const Vector> places,
                              std::span<const double> values, double end);
 
-// Panoramas at points along a curve. Each direction has a cost: it is high if a camera that looks there sees little.
+// Panoramas at points along a curve. Each direction has a cost, which is high if little is visible to a camera that
+// looks in this direction.
 class Director {
 public:
     Director(const Shapes& shapes, const Curve& track);
 
     // Returns the gaze for the first `frames` frames (at least two) of a trajectory along the curve, as unit vectors.
-    // The trajectory should have look_ahead more frames. The gaze at every tenth frame is chosen by dynamic programming
-    // (Bellman) so that the sum of three costs is minimal: the cost of the direction, of its angle to the motion, and
-    // of the turn. In between, the gaze is interpolated. The result is not smooth; see smoothed_gaze().
+    // The trajectory should have look_ahead frames more than `frames`. The gaze at every tenth frame is chosen by
+    // dynamic programming (Bellman) so that the sum of three costs is minimal: the cost of the direction, of its angle
+    // to the motion, and of the turn. In between, the gaze is interpolated. The result is not smooth; see
+    // smoothed_gaze().
     std::vector<Vector> gaze(const Trajectory& ride, int frames) const;
 
     // Returns the median motion of the picture's pixels from one frame to the next, in picture heights. It is computed
-    // by median_motion() from the panorama closest to the frames. `sample`: their (fractional) index in the curve.
+    // by median_motion() from the panorama closest to the camera. `sample`: the camera's position, as a fractional
+    // index into the curve's samples.
     double motion(double sample, const Frame& from, const Frame& to) const;
 
 private:

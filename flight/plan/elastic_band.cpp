@@ -17,8 +17,8 @@ constexpr double freedom = 0.45;      // largest move of a point in one round, i
 constexpr double pin_freedom = 0.08;  // largest move of a pinned point, in the same unit
 constexpr double push = 0.15;         // move of a point away from the walls in one round, in clearances
 constexpr int rounds = 7;
-constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};  // points; relax() centres a point between the two this far away
-constexpr int sweeps = 12;                             // for each stride
+constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};  // points from a point to its neighbours in relax()
+constexpr int sweeps = 12;                             // of relax(), for each stride
 // For shapes that change in flight:
 constexpr double parts_a_step = 10;  // number of stages for a change of the shape by one step (see smooth())
 constexpr int most_parts = 60;
@@ -107,7 +107,7 @@ void push_off(const Shapes& shapes, Band& band, bool pins)
     });
 }
 
-// Straightens the band. Each point stays in a ball around its position at the beginning.
+// Straightens the band. Each point stays in a ball around the position from which it starts.
 void relax(const Shapes& shapes, Band& band)
 {
     const std::vector<Vector> home = band.at;
@@ -126,8 +126,9 @@ void relax(const Shapes& shapes, Band& band)
                 const int step = std::min({stride, i, count - 1 - i});
                 const auto middle = band.at.begin() + i;
                 const auto point = [&](int offset) { return middle[offset]; };
-                // The point is moved towards the midpoint of its two neighbours at `step`. If it has four neighbours,
-                // the midpoint is blended with the cubic through all four, which keeps bends round.
+                // The point is moved towards the midpoint of its two neighbours, `step` points before and after it. If
+                // there are also two neighbours at twice that distance, the midpoint is blended with the cubic through
+                // all four neighbours, which keeps bends round.
                 Vector aim = 0.5 * (point(-step) + point(step));
                 if (i - 2 * step >= 0 && i + 2 * step < count) {
                     const Vector bent =
@@ -171,7 +172,8 @@ void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double s
     }
     const int parts = std::clamp(static_cast<int>(std::ceil(parts_a_step * most / step)), 1, most_parts);
     for (int part = 1; part <= parts; ++part) {
-        // All points' values change by the same amount per stage, so points with a small change are finished first.
+        // In each stage, the values of all points change by the same amount. Points that need a small change therefore
+        // need fewer stages.
         const double gone = most * part / parts;
         for (std::size_t i = 0; i < found.size(); ++i)
             band.value[i] = found[i] + std::clamp(there[i] - found[i], -gone, gone);
@@ -180,8 +182,8 @@ void follow(const Shapes& shapes, Band& band, const Schedule& schedule, double s
     }
 }
 
-// Smooths the shape time (the schedule's frame that sets the shape) along the band, so that the shape does not jump:
-// each point gets the moving average of the time over its neighbourhood, whose length is given in clearances.
+// Smooths the shape time (the schedule's frame that sets the shape) along the band, so that the shape does not jump.
+// Each point gets the average of the time over the part of the band that is within clock_reach of the point.
 void set_clock(const Shapes& shapes, Band& band, const Schedule& schedule)
 {
     const double cap = fastest_clearance(shapes.field().bounds());

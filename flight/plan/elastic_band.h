@@ -21,10 +21,10 @@ double least_on(const Shapes& shapes, const Polyline& way, const Schedule& sched
 
 // Returns a smooth version of a polyline by an elastic band (Quinlan and Khatib). The band's points are about a third
 // of their clearance apart. In each round the band is pushed away from walls and pulled straight; each point stays in a
-// ball around its position, and pinned points barely move. `least`: a point must not move to a smaller estimate.
-// If the shape changes, the polyline is first moved with the walls: each point from the shape in which it was found to
-// the shape at its shape time. The shape time is smoothed as well. `step`: the change of the shape parameter that moves
-// walls by half the smallest clearance of a roadmap.
+// ball around its position, and pinned points barely move. `least`: no point moves to a place with a smaller estimate.
+// If the shape changes in flight, the polyline is first moved with the walls. For each point, the shape changes from
+// the one in which the point was found to the one at the point's shape time. The shape time is smoothed as well.
+// `step`: the change of the shape parameter that moves walls by half the smallest clearance of a roadmap.
 ControlPoints smooth(const Shapes& shapes, const Polyline& way, const Schedule& schedule, double step, double least);
 
 }  // namespace mandelmarch

@@ -18,7 +18,7 @@ constexpr double ring_radius = 7;  // clearances; rays of the ring must hit a wa
 constexpr std::size_t lines = 32;  // candidates for a gate's axis
 constexpr int ring_rays = 16;      // rays from a gate's centre, perpendicular to its axis
 constexpr double widening = 2.3;   // clearances of the gate; a way out must lead to a point with a larger clearance
-constexpr double same_place = 2;   // clearances; gates closer to each other count as one
+constexpr double same_place = 2;   // clearances; two gates that are closer count as one
 
 // Returns 13 directions: the axes through the faces, edges and corners of a cube.
 std::array<Vector, 13> compass()
@@ -48,7 +48,7 @@ public:
     {
     }
 
-    // Searches a gate around a free point. Returns nullopt if there is none.
+    // Searches for a gate around a free point. Returns nullopt if none is found.
     std::optional<Gate> from(Ball place) const
     {
         Gate gate{place.centre, {}, place.clearance, 0, {}, {}, 0};
@@ -94,8 +94,9 @@ private:
         gate.axis = dot(axis, gate.axis) < 0 ? -1 * axis : axis;
     }
 
-    // Sets gate.axis to one of 32 lines through the centre. The line must be free at both ends, and the fraction of the
-    // directions across it that hit a wall must be the largest. Returns false if that fraction is too small.
+    // Sets gate.axis to the best of 32 lines through the centre. Lines that hit a wall at one of their ends are left
+    // out. The best line is the one for which the fraction of directions across it that hit a wall is the largest.
+    // Returns false if this fraction is smaller than enough_.
     bool tunnel(Gate& gate) const
     {
         static const auto directions = [] {
@@ -139,7 +140,7 @@ private:
     }
 
     // Moves the gate's centre to a saddle point of the clearance: a maximum across the axis and a minimum along it.
-    // Returns false if there is none nearby.
+    // Returns false if no saddle point is nearby.
     bool centre(Gate& gate) const
     {
         const double home = gate.clearance;
@@ -201,8 +202,8 @@ private:
     }
 
     // Follows a way out of the gate until it reaches a ball in wider space. Each step compares nine directions around
-    // the direction of the last step and takes the one that leads to the largest clearance. Returns false if no way out
-    // is found. `way`: 0 along the axis, 1 against it.
+    // the direction of the previous step and takes the one that leads to the largest clearance. Returns false if no way
+    // out is found. `way`: 0 along the axis, 1 against it.
     bool leave(Gate& gate, int way) const
     {
         Vector direction = way == 0 ? gate.axis : -1 * gate.axis;
@@ -223,7 +224,7 @@ private:
             std::array<double, 9> found{};
             for (std::size_t k = 0; k < 9; ++k) points[k] = at + 0.5 * clear * headings[k];
             field_.distances(points, found);
-            found[0] *= 1.02;  // prefer to go straight on
+            found[0] *= 1.02;  // prefers the way straight on
             const auto best = static_cast<std::size_t>(std::ranges::max_element(found) - found.begin());
             at = points[best];
             clear = best == 0 ? found[0] / 1.02 : found[best];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gates: narrow places with free space on both sides through which a camera can fly. Walls surround most of a gate.
+// Gates: narrow places through which a camera can fly from one free space to another. Walls surround most of a gate.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct GateSearch {
     int tries;
 };
 
-// Searches for gates around all points of `also` and around points of narrows(), which are chosen at random with a
+// Searches for gates around all points of `also` and around some points of narrows(), which are chosen at random with a
 // fixed seed. Returns the `known` gates followed by the new ones.
 std::vector<Gate> find_gates(const DistanceField& field, const Balls& balls, const GateSearch& search,
                              std::vector<Gate> known = {}, std::span<const Ball> also = {});

@@ -14,7 +14,7 @@ namespace {
 constexpr double blur = 24;               // frames; standard deviation of the smoothing in time
 constexpr std::size_t middle_until = 90;  // frames; from then on the gaze is no longer drawn to the fractal's centre
 
-constexpr double most_roll = 0.25;     // degrees per frame; with the largest turn, the rotation stays within 1.2
+constexpr double most_roll = 0.25;     // degrees per frame; so small that a roll and a turn together stay within 1.2
 constexpr double roll_share = 0.02;    // fraction of the tilt that is corrected per frame
 constexpr double clear_horizon = 0.5;  // the first frame whose Tilt::horizon is larger sets the initial roll
 
@@ -40,7 +40,7 @@ std::vector<Value> blurred(const std::vector<Value>& in)
     return out;
 }
 
-// Returns the unit vector a after a rotation towards the unit vector b by an angle in radians.
+// Returns the unit vector a, rotated towards the unit vector b by `angle` radians.
 Vector turned(Vector a, Vector b, double angle)
 {
     const Vector side = b - dot(a, b) * a;
@@ -89,8 +89,8 @@ std::vector<Frame> cameras(const Trajectory& ride, const std::vector<Vector>& ga
     std::vector<Frame> frames;
     for (std::size_t i = 0; i < gaze.size(); ++i) {
         if (i > 0) {
-            // Rotates `up` by the smallest rotation that maps the last gaze onto this one (Rodrigues' formula without
-            // trigonometric functions).
+            // Rotates `up` by the smallest rotation that maps the gaze of the previous frame onto that of this frame
+            // (Rodrigues' formula without trigonometric functions).
             const Vector axis = cross(gaze[i - 1], gaze[i]);
             const double cosine = dot(gaze[i - 1], gaze[i]);
             up = cosine * up + cross(axis, up) + (dot(axis, up) / (1 + cosine)) * axis;

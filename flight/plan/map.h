@@ -10,9 +10,9 @@
 
 namespace mandelmarch {
 
-// Returns JSON with the bounds of the first frame's shape, the balls and gates on and near the path, the numbers of the
-// frames in passages, and three measurements of each frame: position, clearance (the distance estimate) and turn since
-// the previous frame in degrees. `threads`: 0 for one per core.
+// Returns JSON with the bounds of the first frame's shape, the balls and gates on and near the path, for each passage
+// the number of its narrowest frame, and three measurements of each frame: position, clearance (the distance estimate)
+// and turn since the previous frame in degrees. `threads`: 0 for as many as the process may use.
 std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::vector<Ball>& gates, int threads);
 
 }  // namespace mandelmarch

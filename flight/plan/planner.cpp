@@ -27,13 +27,14 @@ constexpr double wanted_turn = 0.95;    // degrees per frame; the camera slows d
 constexpr double turn_limit = 1.17;     // degrees per frame; turns are limited to this, because the promise is 1.2
 constexpr double slowest = 0.08;        // smallest speed factor
 constexpr double usual_motion = 0.014;  // picture heights per frame; wanted median motion of the pixels
-constexpr int retimings = 7;            // times that speed and gaze are computed, each adapted to the other
+constexpr int retimings = 7;            // number of times that speed and gaze are adapted to each other
 // For shapes that change in flight:
 constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fraction of the pace
 constexpr double usual_slow = 0.7;   // wanted mean of a tour's speed factors
-constexpr double most_off = 1;       // frames; largest time error at a keyframe
+constexpr double most_off = 1;       // frames; largest accepted time error at a keyframe
 
-// Limits of a plan's processor time. They are many times what the official shapes need.
+// Limit on a plan's processor time: usual_seconds plus seconds_a_frame for each frame. The limit is many times what the
+// official shapes need.
 constexpr double usual_seconds = 60;
 constexpr double seconds_a_frame = 0.02;
 
@@ -56,8 +57,8 @@ public:
 
     const RoadmapSet& atlas() const { return atlas_; }
 
-    // Plans tour number `number` and returns its path. The path is empty if the tour is too short or, if the shape
-    // changes, if the camera cannot keep the schedule.
+    // Plans tour number `number` and returns its path. The path is empty if the tour is too short. If the shape
+    // changes, the path is also empty if the camera cannot keep to the schedule.
     Path attempt(int number)
     {
         FlightRandom random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
@@ -81,8 +82,8 @@ public:
     }
 
 private:
-    // Returns the path of a flight along a curve, or an empty path as attempt() does. Changes the curve's speed
-    // factors.
+    // Returns the path of a flight along a curve, or an empty path in the same cases as attempt(). Changes the curve's
+    // speed factors.
     Path fly(Curve& track)
     {
         const int needed = frames_ + look_ahead;
@@ -99,8 +100,8 @@ private:
             } else {
                 now = ride(bounds, track, measures_.pace, needed);
             }
-            // A trajectory with too few frames may still get enough, because later rounds slow down the camera in
-            // bends.
+            // If the trajectory has too few frames in the first rounds, it may have enough in later ones, which slow
+            // the camera down in bends.
             const int flown = std::min(frames_, static_cast<int>(now.at.size()));
             if (flown < frames_ / 4 || (flown < frames_ && round > 2)) return {};
             views = smoothed_gaze(now, director.gaze(now, flown));
@@ -121,7 +122,7 @@ private:
         return path;
     }
 
-    // Updates share_ from the mean speed factor of this trajectory. The next tour's shape time is computed with it.
+    // Updates share_, with which the next tour's shape time is computed, from the mean speed factor of this trajectory.
     void learn(const Curve& track, const Trajectory& ride)
     {
         double sum = 0;
@@ -130,7 +131,7 @@ private:
         share_ = std::clamp(share_ * std::pow(usual_slow / mean, 0.7), 0.2, 1.0);
     }
 
-    // Sets each frame's shape. Its parameter is rounded to single precision, as in path files.
+    // Sets each frame's shape. The shape parameter is rounded to single precision, as in path files.
     void change(Path& path, const Curve& track, const Trajectory& ride) const
     {
         const std::vector<double> clock = clock_of(track, ride, static_cast<int>(path.frames.size()), schedule_);
@@ -156,8 +157,7 @@ private:
         for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
     }
 
-    // Changes the curve's speed factors so that the motion of the pixels approaches usual_motion. The factors stay at
-    // most 1.
+    // Changes the curve's speed factors so that the motion of the pixels approaches usual_motion. No factor exceeds 1.
     void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Vector>& views,
                      const Director& director) const
     {
@@ -171,7 +171,8 @@ private:
         }
     }
 
-    // Returns the up vector of the first camera: the y axis, or the z axis if the view is nearly along y.
+    // Returns the up vector of the first camera: the y axis, or the z axis if the camera looks within about 45 degrees
+    // of the y axis.
     static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
 
     Schedule schedule_;

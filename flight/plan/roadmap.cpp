@@ -18,12 +18,12 @@ constexpr Roadmap::Effort one_shape{Balls::usual_coarse, 300'000};
 // For shapes that change in flight:
 constexpr Roadmap::Effort first_of_many{48, 100'000};
 constexpr Roadmap::Effort one_of_many{48, 20'000};  // fewer tries, because the neighbour's gates are tried, too
-constexpr int roads_iterations = 30;                // limit; points that need more are too close to the surface
-constexpr double moved = 0.5;    // motion of the walls from one roadmap to the next, in units of its smallest clearance
-constexpr int most_values = 32;  // roadmaps of one schedule
+constexpr int roads_iterations = 30;                // limit; points that need more are too close for a camera
+constexpr double moved = 0.5;    // motion of the walls from one roadmap to the next, in a roadmap's smallest clearance
+constexpr int most_values = 32;  // largest number of roadmaps of a schedule
 
-// Returns the step of the shape parameter, between `low` and `high`, that moves the walls by the distance `moved` in
-// the median.
+// Returns the step of the shape parameter that moves the walls by the distance `moved` in the median. The parameter
+// changes between `low` and `high`. The step is at least so large that there are at most most_values values.
 double step_of_values(const Shapes& shapes, double low, double high)
 {
     const DistanceField& field = shapes.field();

@@ -35,7 +35,7 @@ struct Roadmap {
 // gives the fractal its shape at a point of the tour.
 struct RoadmapSpan {
     const Roadmap* roads;
-    double until = std::numeric_limits<double>::infinity();  // shape time at its end, frames
+    double until = std::numeric_limits<double>::infinity();  // shape time at the end of the stretch, in frames
     double value = 0;                                        // the roadmap's value of the changing shape parameter
 };
 
@@ -53,7 +53,8 @@ public:
 
     // Returns true if every roadmap has a ball inside the fractal's bounds that is connected with the outside.
     bool has_space() const;
-    // Return the balls and the gates of all roadmaps. A gate is returned as the ball around its narrowest point.
+    // Returns the balls of all roadmaps. gates() returns the gates of all roadmaps, each as the ball around its
+    // narrowest point.
     std::vector<Ball> balls() const;
     std::vector<Ball> gates() const;
 

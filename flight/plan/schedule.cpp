@@ -45,7 +45,7 @@ public:
             }
         }
         if (knots.back().frame > last) {
-            // A keyframe at the end of the film, which is one frame after the last one, is moved to the last frame.
+            // A keyframe at the end of the film, which is one frame after the last frame, is moved to the last frame.
             if (knots.back().frame > frames_) {
                 fail(fmt::format("{:.6g} s is after the end of the film, expected at most {:.6g} s",
                                  knots.back().frame / frames_per_second,

@@ -42,7 +42,7 @@ private:
 // - The fractal does not have a parameter of this name.
 // - The text does not have one of the forms.
 // - The seconds do not increase, or are after the film's end.
-// - With one of the values or a value in between, the fractal cannot be flown through.
+// - With one of the values or a value in between, the fractal is invalid or cannot be flown through.
 Schedule parse_schedule(std::string_view name, const std::string& text, const Scene& scene, int frames);
 
 }  // namespace mandelmarch

@@ -18,9 +18,9 @@ constexpr double gate_reach = 400;     // largest cost of the way to the next ga
 constexpr int choices = 10;            // number of gate entries after which the search ends
 constexpr double whim = 1.0;           // largest random increase of a gate's cost, as a multiple of the cost
 // For shapes that change in flight:
-constexpr double changing_reach = 70;  // clearances without penalties; gates farther away will have moved
+constexpr double changing_reach = 70;  // clearances, without penalties; farther gates move before the camera arrives
 constexpr double stroll_reach = 40;    // clearances; largest distance of the fallback (see Search::stroll)
-constexpr double same_gate = 0.03;     // fractal sizes; gates of two shapes closer to each other count as one
+constexpr double same_gate = 0.03;     // fractal sizes; two gates of different shapes count as one if they are closer
 // near() accepts a ball that does not contain the place under three conditions:
 constexpr double over = 4;          // - its centre is closer to the place than this, in clearances of the ball;
 constexpr std::size_t tried = 24;   // - it is one of this number of closest balls;

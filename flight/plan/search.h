@@ -15,7 +15,7 @@ struct Node {
     int stretch = 0;
     int ball = -1;  // index of the ball; -1: none
 };
-// One side of a gate, from which a tour can enter it.
+// One side of a gate, from which a tour can enter the gate.
 struct Entry {
     int stretch = 0;
     int number = -1;  // 2 * (index of the gate) + (side: 0 or 1); -1: none
@@ -36,10 +36,10 @@ public:
         return roads(entry.stretch).gates[static_cast<std::size_t>(entry.number) / 2];
     }
 
-    // Chooses the next gate among the closest ones, which are found by Dijkstra's search from a ball. Returns an empty
-    // entry if no gate is in reach. `clock`: when the tour reaches the ball, as a frame number of the schedule that
-    // changes the shape (shape time). `done`: the points of the tour so far; the turn from them towards a gate adds to
-    // the gate's cost.
+    // Chooses the next gate among the closest ones, which are found by Dijkstra's search from the ball `from`. Returns
+    // an empty entry if no gate is in reach. `clock`: the shape time when the tour reaches the ball, that is, the frame
+    // of the schedule that gives the fractal its shape. `done`: the points of the tour so far. The cost of a gate
+    // includes the turn from the direction of these points to the way to the gate.
     Entry next(Node from, double clock, std::span<const Vector> done, FlightRandom& random);
 
     // These functions return results of the last search:
@@ -55,11 +55,12 @@ public:
     // into the leg, and from the leg into the gate.
     double turn_cost(Node node, Entry entry, std::span<const Vector> done) const;
 
-    // Returns the ball of a stretch that contains the place. If there is none, returns a close ball with a free way to
-    // the place; an empty node if there is none either.
+    // Returns the ball of a stretch that contains the place. If no ball contains the place, returns a close ball with a
+    // free way to the place or, if there is no such ball, an empty node.
     Node near(int stretch, Vector place) const;
 
-    // Marks a ball and the balls linked to it as visited. Does the same for the balls at its place in later stretches.
+    // Marks a ball and the balls linked to it as visited. In each later stretch, does the same for the ball at the same
+    // place.
     void see(Node node);
     // Marks the gate's kind, and the kinds of gates at the same place in other shapes, as flown.
     void mark_flown(Entry entry);

@@ -10,7 +10,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double start_distance = 2.5;  // fractal sizes; distance of the tour's first point from the centre
-constexpr int most_refused = 60;        // discarded parts that end a tour; a Search::stroll() counts five times
+constexpr int most_refused = 60;        // number of discarded parts that ends a tour; a Search::stroll() counts as five
 constexpr double dear_gate = 130;       // clearances with penalties; a stroll is preferred to a gate farther away
 
 class Guide {
@@ -32,7 +32,7 @@ public:
         while (tour_.cost < length_.cost && tour_.clock < length_.clock) {
             Entry entry = search_.next(at, tour_.clock, tour_.way.points, random_);
             if (entry.number < 0) {
-                // All kinds of gates in reach have been flown, so they are allowed again.
+                // If all gates in reach are of kinds that are marked as flown, they are allowed again.
                 search_.forget();
                 entry = search_.next(at, tour_.clock, tour_.way.points, random_);
             }
@@ -49,8 +49,8 @@ public:
             if (moved_on(to) && (!fine_ || fine_(part_from(before.way.points.size())))) {
                 at = to;
             } else {
-                // The part is discarded: the next roadmap has no ball near its end, or the walls close around it. Its
-                // gate stays marked as flown, so that it is not tried again.
+                // The part is discarded, because the next roadmap has no ball near the end of the part or because walls
+                // close around the part. The gate in it stays marked as flown, so that this gate is not tried again.
                 tour_ = before;
                 if ((refused += strolls ? 5 : 1) > most_refused) break;
             }
@@ -80,8 +80,8 @@ private:
         return candidates[static_cast<std::size_t>(random_.share() * static_cast<double>(candidates.size()))];
     }
 
-    // Replaces `at` by a ball at the same place in the stretch of the current shape time, going from stretch to
-    // stretch. Returns false if the roadmap of one of them has no ball near the place.
+    // Replaces `at` by a ball at the same place in the next stretch, until the stretch is the one of the tour's shape
+    // time. Returns false if the roadmap of one of these stretches has no ball near the place.
     bool moved_on(Node& at) const
     {
         while (tour_.clock > search_.stretch(at.stretch).until) {
@@ -127,7 +127,7 @@ private:
         return {entry.stretch, through.balls[1 - side]};
     }
 
-    // Returns the part of the polyline that begins with a point, preceded by up to four points before it.
+    // Returns the part of the polyline that begins with the point number `point`, preceded by up to four older points.
     Polyline part_from(std::size_t point) const
     {
         const auto first = static_cast<std::ptrdiff_t>(point - std::min<std::size_t>(point, 4));

@@ -16,7 +16,8 @@ namespace mandelmarch {
 struct Polyline {
     std::vector<Vector> points;
     std::vector<char> pinned;  // for each point
-    // For each point: the shape time in frames, and the shape parameter's value of the roadmap in which it was found.
+    // For each point: the shape time in frames, and the value of the shape parameter in the roadmap in which the point
+    // was found.
     std::vector<double> clock, found;
 };
 
@@ -34,14 +35,12 @@ struct TourLength {
     double frames_a_clearance = 0;  // shape time that passes on a way of one clearance, in frames
 };
 
-// Returns a tour that starts outside the fractal and leads from gate to gate. It ends when the length is reached or no
-// gate is in reach; if the length is a shape time, the tour leads to other places inside when no gate is in reach. Of
-// gates that look the same only one is passed, unless no other gate is left. `random` chooses the start and influences
-// the choice of each gate.
-// Each stretch of time uses its own roadmap. When the shape time passes the end of a stretch, the tour continues in a
-// ball of the next roadmap at the same place.
-// `fine` is called, if given, with each new part of the tour, preceded by up to four older points. A part for which it
-// returns false is discarded.
+// Returns a tour that starts outside the fractal and leads from gate to gate. It ends when it reaches the length. If no
+// gate is in reach, it ends as well or, if the length is a shape time, leads to another place inside. The tour passes
+// gates of the same kind only once, as long as gates of other kinds are in reach. `random` chooses the start and
+// influences the choice of each gate. Each stretch of time uses its own roadmap. When the shape time passes the end of
+// a stretch, the tour continues in a ball of the next roadmap at the same place. `fine` is called, if given, with each
+// new part of the tour, preceded by up to four older points. A part for which `fine` returns false is discarded.
 Tour make_tour(std::span<const RoadmapSpan> stretches, const TourLength& length, FlightRandom& random,
                const std::function<bool(const Polyline& part)>& fine = {});
 

@@ -38,7 +38,8 @@ std::vector<double> smoothed(const Curve& track, const std::vector<double>& spee
         }
     };
     each(speed, [&](std::size_t i, auto near, auto) { least[i] = std::ranges::min(near); });
-    // Each sample is weighted by its duration, because the samples' times are unequal, and by its distance in time.
+    // The weight of a sample is the product of two factors: its duration, because samples last for unequal times, and a
+    // factor that decreases with the distance in time.
     each(least, [&](std::size_t i, auto near, auto at) {
         double sum = 0;
         double weights = 0;

@@ -36,13 +36,14 @@ struct Timed {
     Trajectory ride;
     double off;  // frames; largest time error at a keyframe or at the last frame
 };
-// Changes the curve's speed factors so that the camera is at a point of the curve at the frame that is the point's
-// shape time. This holds at the schedule's keyframes and at the last of `frames` frames, as far as the pace allows.
-// Returns the trajectory.
+// Changes the curve's speed factors so that the camera keeps to the schedule, as far as the pace allows. It keeps to
+// the schedule if it is, at each keyframe and at the last of `frames` frames, at the point of the curve whose shape
+// time is that frame. Returns the trajectory and its time error.
 Timed ride_in_time(const Bounds& bounds, Curve& track, double pace, int frames, const Schedule& schedule);
 
-// Returns the shape time at each of the first `frames` frames of a trajectory made by ride_in_time(). It is averaged
-// over three seconds, so that the shape does not change as suddenly as the clearance. At keyframes it is exact.
+// Returns the shape time at each of the first `frames` frames of a trajectory made by ride_in_time(). The shape time is
+// averaged over three seconds, because otherwise the shape would change as suddenly as the camera's speed. At keyframes
+// the shape time is exact.
 std::vector<double> clock_of(const Curve& track, const Trajectory& ride, int frames, const Schedule& schedule);
 
 }  // namespace mandelmarch

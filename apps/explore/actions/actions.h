@@ -22,13 +22,13 @@ public:
 };
 
 struct Action {
-    // When the key performs the action. anywhere: always. over_pictures: only while no panel has the keyboard, because
-    // in a panel the key types a character or controls an item. repeated: like over_pictures, and repeatedly while the
-    // key is held.
+    // The condition under which the key performs the action. anywhere: always. over_pictures: only while no panel has
+    // the keyboard, because in a panel the key types a character or controls an item. repeated: like over_pictures, and
+    // repeatedly while the key is held.
     enum class Heeded { anywhere, over_pictures, repeated };
 
     std::string_view name;  // in scripts; buttons show blanks in place of hyphens
-    std::string_view key;   // by SDL's name, such as "Ctrl+S"; empty: no key
+    std::string_view key;   // SDL's name of the key, such as "Ctrl+S"; empty: no key
     const char* help;
     void (*act)(Model& model, Desktop& desktop);
     Heeded heeded = Heeded::anywhere;

@@ -28,9 +28,9 @@ std::string command_of(const Scene& scene, const Setup& setup, const std::string
 // .mp4 exists.
 std::string free_name(const std::string& folder, const std::string& stem);
 
-// Return the scene of a parameter file. The fractal is found by its name in the file's text or in the file's name; if
-// neither contains a fractal's name, it is `hint`. Throw InputError with a message that begins with the file's name and
-// line.
+// Returns the scene of a parameter file. The fractal is found by its name in the file's text or in the file's name. If
+// neither contains a fractal's name, the fractal is `hint`. Throws InputError with a message that begins with the
+// file's name and line.
 Scene read_view(const std::string& file, const Fractal& hint);
 Scene view_of_text(const std::string& text, const std::string& name, const Fractal& hint);
 
@@ -43,7 +43,7 @@ public:
     bool running() const { return task_.running(); }
     double progress() const { return share_ != nullptr ? share_->load() : 0; }
     void cancel() { stop_.request_stop(); }
-    // Returns a message once after the task has ended; otherwise "".
+    // Returns a message at the first call after the task has ended; otherwise "".
     std::string take_news() { return news_of(task_, "picture"); }
 
 private:

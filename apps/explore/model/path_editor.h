@@ -35,20 +35,20 @@ public:
     void take(Path path);
 
     void begin_recording(const Scene& scene);
-    // Adds the camera's motion since the previous call to the recording. `seconds`: the time since that call.
+    // Adds to the recording the camera's motion since the previous call. `seconds`: the time since the previous call.
     void record(const Scene& scene, double seconds);
     void end_recording();
 
     void smooth();
-    // Remove the frames before and after the position.
+    // Removes the frames before the position. cut_after() removes the frames after the position.
     void cut_before();
     void cut_after();
-    // Replaces the path's camera at the position by the scene's camera, and moves the cameras around it along (bent()
-    // in smooth.h).
+    // Replaces the path's camera at the position by the scene's camera. The cameras of the frames before and after it
+    // move, too, as bent() in smooth.h describes.
     void put_camera(const Scene& scene);
 
-    // Start background work: plan() plans a tour of the scene's fractal, film() renders the path as a film. take_news()
-    // reports the end.
+    // Starts to plan a tour of the scene's fractal in the background. film() starts to render the path as a film in the
+    // background. take_news() reports the end of this work.
     void plan(const Scene& scene, std::uint64_t seed, int frames);
     void film(const Registry& registry, const Setup& setup, const std::string& file, int width, int height);
     bool planning() const { return planning_.running(); }
@@ -58,10 +58,11 @@ public:
     const std::vector<Row>& rows() const { return rows_; }
     bool stale() const { return audited_ != version_; }
     // Takes over the results of background work, and starts an audit in the background if the path has changed. Returns
-    // a message for the user about a finished plan or film or about a failure, or "". Must be called regularly.
+    // a message for the user if a plan or a film is finished or if background work has failed; otherwise "". Must be
+    // called regularly.
     std::string take_news();
     // Returns the next frame after the position that the audit names for a broken promise (hard limit) or a missed
-    // threshold. If no such frame follows, returns the first one of the path; nullopt if there is none.
+    // threshold. If no such frame follows, returns the first such frame of the path; nullopt if the path has none.
     std::optional<std::size_t> next_broken() const;
     // Requests an audit of all items, not only of promises. The audit takes seconds.
     void audit_all()

@@ -21,8 +21,8 @@ struct Settings {
 // Returns the path of the settings file; empty if neither XDG_CONFIG_HOME nor HOME is set.
 std::string settings_file();
 
-// Returns the settings in the file, and defaults for those that it does not contain. An invalid file is ignored; `said`
-// is then set to a message for the user.
+// Returns the settings in the file, and defaults for settings that the file does not contain. An invalid file is
+// ignored; `said` is then set to a message for the user.
 Settings read_settings(const std::string& file, std::string& said);
 
 // Writes the file. Throws Error if that fails.

@@ -25,7 +25,7 @@ public:
     // Returns the index of the pane whose setup the user changes.
     std::size_t chosen() const { return chosen_; }
     const Setup& setup() const { return now_.setups.at(chosen_); }
-    // Returns a number that grows with each change. The panes are rendered again when it has grown.
+    // Returns a number that grows with each change. The panes are rendered again whenever this number has grown.
     std::uint64_t version() const { return version_; }
 
     // Replaces the scene, except its size.
@@ -52,7 +52,7 @@ public:
         changed();
     }
 
-    // Removes the last panes, or adds panes with the first one's setup.
+    // Removes the last panes, or adds panes with the first pane's setup, until there are `count` panes.
     void set_count(std::size_t count)
     {
         now_.setups.resize(count, now_.setups.front());
@@ -72,7 +72,8 @@ public:
         future_.clear();
     }
 
-    // Return false if there is nothing to restore.
+    // Restores the state before the last change. redo() restores the state before the last undo(). Both return false if
+    // there is no such state.
     bool undo() { return restore(past_, future_); }
     bool redo() { return restore(future_, past_); }
 

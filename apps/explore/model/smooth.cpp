@@ -39,7 +39,8 @@ Look mean(const std::vector<Look>& looks, std::size_t at)
     Look sum{};
     double weights = 0;
     const auto last = static_cast<std::ptrdiff_t>(looks.size()) - 1;
-    // The window becomes shorter on both sides near the path's ends, so that the first and the last camera do not move.
+    // Near the path's ends, the mean is taken over fewer cameras on both sides, so that the first and the last camera
+    // do not move.
     const auto here = static_cast<std::ptrdiff_t>(at);
     const std::ptrdiff_t reach = std::min({static_cast<std::ptrdiff_t>(3 * tremor), here, last - here});
     for (std::ptrdiff_t d = -reach; d <= reach; ++d) {
@@ -70,7 +71,7 @@ void take_tremor_out(Path& path)
     }
 }
 
-// Returns the number of frames that the motion from each frame to the next should take, at least 1.
+// Returns, for each frame but the last, the number of frames that the motion to the next frame should take, at least 1.
 std::vector<double> needed(const Path& path)
 {
     const std::vector<double> turns = turns_of(path);

@@ -6,16 +6,16 @@
 
 namespace mandelmarch::explore {
 
-// Returns the camera between two frames: that of `a` for share 0, that of `b` for share 1. The changes to the scene are
-// those of the closer frame.
+// Returns a frame whose camera lies between the cameras of `a` (share 0) and `b` (share 1). Its changes to the scene
+// are those of the closer frame.
 Frame between(const Frame& a, const Frame& b, double share);
 
-// Returns a smoothed path. A camera moves less if walls leave it too little room. Where a step or a turn would come
-// close to the audit's limit, frames are added, so that the flight is slower.
+// Returns a smoothed path. If smoothing would bring a camera too close to walls, the camera is moved less. Where a step
+// or a turn would come close to the audit's limit, frames are added, which makes the flight slower.
 Path smoothed(const Path& path);
 
-// Returns the path with the camera of `frame` at frame number `at`. The cameras of 45 frames on either side move along,
-// the less the farther they are.
+// Returns the path with the camera of `frame` at frame number `at`. The cameras of 45 frames on either side move in the
+// same direction, but less with increasing distance from that frame.
 Path bent(Path path, std::size_t at, const Frame& frame);
 
 }  // namespace mandelmarch::explore

@@ -24,8 +24,8 @@ public:
 
     bool running() const { return result_.valid(); }
 
-    // Returns the result once after the task has ended. Returns nullopt while the task is running or if there is none.
-    // If the task has failed, returns nullopt and sets `failure` to the error's message.
+    // Returns the result at the first call after the task has ended. Returns nullopt if the task is still running or if
+    // there is no task. If the task has failed, returns nullopt and sets `failure` to the error's message.
     std::optional<Result> take(std::string& failure)
     {
         if (!running() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
@@ -41,8 +41,8 @@ private:
     std::future<Result> result_;
 };
 
-// Returns the result of a task or, after `name`, the message of its failure, once after the task has ended; otherwise
-// "".
+// Returns the result of a task or, if the task has failed, `name` and the error's message. Both are returned only at
+// the first call after the task has ended; other calls return "".
 inline std::string news_of(Task<std::string>& task, const std::string& name)
 {
     std::string failure;

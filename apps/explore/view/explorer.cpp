@@ -21,10 +21,10 @@ namespace mandelmarch::explore {
 namespace {
 
 constexpr double spare = 0.0012;      // seconds of a frame that are kept free
-constexpr double patience = 1.5;      // frames to wait for a picture while moving
+constexpr double patience = 1.5;      // frames to wait for a picture while the camera moves
 constexpr double longest_step = 0.1;  // largest time step of the motion, seconds
-constexpr double kept = 10;           // seconds of intervals between frames
-constexpr int idle_wait = 100;        // milliseconds
+constexpr double kept = 10;           // seconds; intervals between frames are kept for this time
+constexpr int idle_wait = 100;        // milliseconds; longest wait for an event while nothing changes
 constexpr double notch = 1.2;         // factor on the speed per notch of the wheel
 constexpr double least_speed = 1.0 / 16, most_speed = 16;
 
@@ -139,8 +139,9 @@ void Explorer::arrange()
     model_.view.set_size(panes_.place(0).w, panes_.place(0).h);
 }
 
-// Returns the time for rendering in seconds while the camera moves. It is the part of a screen frame that other work
-// leaves. If pictures would then have less than 3/8 of the full width, a second screen frame is added.
+// Returns the time in seconds for rendering while the camera moves. It is the part of a screen frame's time that other
+// work leaves. If pictures rendered in this time would have less than 3/8 of a pane's width, the time of a second
+// screen frame is added.
 double Explorer::budget() const
 {
     const double period = 1 / window_.rate();

@@ -53,7 +53,7 @@ private:
     SDL_Rect area_{0, 0, 1, 1};  // part of the window for pictures
     std::uint64_t seen_ = 0;     // version of the view at whose eye `clearance_` was computed
     double clearance_ = 0;
-    double showing_ = 0.004;  // seconds of a frame that are not rendering, averaged
+    double showing_ = 0.004;  // average time of a frame that is not spent on rendering, in seconds
     Moment last_{}, presented_{}, due_{};
 };
 

@@ -16,7 +16,7 @@ public:
     // Processes an event. `over_panel`: a panel uses the mouse. `in_panel`: a panel uses the keyboard. `radians`: the
     // angle by which the camera turns if the mouse is dragged by one pixel.
     void take(const SDL_Event& event, bool over_panel, bool in_panel, double radians);
-    // Returns the requested motion. Dragging is counted since the last call.
+    // Returns the requested motion. It includes all dragging of the mouse since the last call.
     MotionInput wish();
     // Returns the notches by which the wheel has been turned since the last call.
     double take_notches();

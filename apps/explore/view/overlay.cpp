@@ -19,7 +19,7 @@ constexpr float margin = 4;  // pixels
 
 // A column of lines of text, at most `width` pixels wide.
 struct Column {
-    float x, y, width;  // pixels; x: left edge; y: lower edge of the lines above or, upwards, upper edge of those below
+    float x, y, width;  // pixels; x: left edge; y: upper edge of the next line or, upwards, its lower edge
 
     // Adds a line below y or, if `upwards`, above y. An empty text adds nothing.
     void add(const std::string& text, ImU32 colour, bool upwards = false)

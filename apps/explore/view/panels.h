@@ -17,10 +17,10 @@ namespace mandelmarch::explore {
 // `focus`: true to move the keyboard to the panel.
 void show_panel(Model& model, Desktop& desktop, const std::deque<float>& intervals, float width, bool focus);
 
-// Returns that panel's width in a window of this width, both in pixels.
+// Returns the width of the panel at the left. `window_width`: the window's width. Both are in pixels.
 float panel_width(int window_width);
 
-// Shows the panel for paths, their audit and tours. `left`: width of the other panel, in pixels.
+// Shows the panel for paths, their audit and tours. `left`: width of the panel at the left, in pixels.
 void show_paths(Model& model, Desktop& desktop, float left);
 
 // Shows statistics and warnings over each picture, and messages. `area`: the part of the window for pictures.

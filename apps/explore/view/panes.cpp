@@ -18,7 +18,7 @@ constexpr double short_silence = 1;                  // seconds without progress
 constexpr int gap = 2;                               // pixels between panes
 constexpr std::uint32_t mark_visible = 0xFFFF00FFU;  // colour of pixels that differ by more than 2 of 255
 constexpr std::uint32_t mark_any = 0xFFFFFF00U;      // colour of other pixels that differ
-constexpr int visible = 2;                           // threshold of core/image/compare.h, in bytes of 0 to 255
+constexpr int visible = 2;                           // largest invisible difference of bytes (core/image/compare.h)
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Panes: up to four pictures of one view side by side. Each is rendered with its own setup. All others are compared
-// with the first one.
+// Panes: up to four pictures of one view side by side. Each picture is rendered with its own setup. The second to
+// fourth pictures are compared with the first one.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@
 
 namespace mandelmarch::explore {
 
-// Samples per pixel side of the pictures at rest, in the order of rendering. Several panes use only the first number.
+// Samples per pixel side of pictures for which the camera is at rest, in the order of rendering. If there is more than
+// one pane, only the first number is used.
 inline constexpr std::array samples_at_rest{1, 2, 4};
 
 struct Pane {
@@ -24,7 +25,7 @@ struct Pane {
     Texture texture{nullptr, SDL_DestroyTexture};
     std::uint64_t view = 0;              // version of the view that the picture shows
     int samples = 0;                     // per pixel side; 0: rendered while the camera moved
-    double share = 0;                    // pixels of the picture, as a fraction of the pane's
+    double share = 0;                    // number of the picture's pixels, as a fraction of the pane's pixels
     Image whole;                         // the last picture at rest with one sample per pixel, for comparison
     std::uint64_t whole_view = 0;        // version of the view that `whole` shows
     std::optional<Comparison> compared;  // comparison of `whole` with that of the first pane
@@ -49,10 +50,11 @@ public:
     // Sets the view and its version. All panes are rendered again if the version is new. The scene's size is unused.
     // `marks`: pixels that differ from the first pane are marked.
     void set_view(const Scene& scene, std::uint64_t version, bool marks);
-    // Renders the missing pictures, at most until `until`. If `moving`, chooses their size so that all together take
-    // `budget` seconds. Otherwise renders each at full size, once for each number of samples_at_rest that applies.
+    // Renders the missing pictures. Returns at the time `until` at the latest. `moving`: the camera moves. In this
+    // case, chooses the pictures' size so that all of them together take `budget` seconds. Otherwise renders each
+    // picture at full size, once for each number of samples_at_rest that applies.
     void work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
-    // Returns true while a picture at rest is missing.
+    // Returns true if a picture at rest is still missing.
     bool missing() const;
     // Returns a message if a device has not responded for three seconds, else "".
     std::string trouble() const;

@@ -32,7 +32,7 @@ namespace {
 
 constexpr auto parting = std::chrono::milliseconds(50);  // time that the destructor waits for the thread
 
-// Returns the pixels of rows of red, green and blue bytes, top row first. `row`: bytes from one row to the next.
+// Converts rows of red, green and blue bytes to pixels. `top`: the top row. `row`: bytes from one row to the row below.
 Pixels pixels_of_rows(const std::uint8_t* top, std::ptrdiff_t row, int width, int height)
 {
     Pixels pixels{width, height, std::vector<std::uint32_t>(Image::pixels(width, height))};

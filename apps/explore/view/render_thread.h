@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The render thread. It renders one request at a time, which can be cancelled. If a device does not respond, the thread
-// can be abandoned; it is then replaced by a new one.
+// The render thread. It renders one request at a time; a request can be cancelled. If a device does not respond, the
+// thread can be abandoned. The next request then starts a new thread.
 #pragma once
 
 #include <chrono>

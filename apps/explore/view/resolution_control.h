@@ -20,8 +20,9 @@ public:
     // Discards all recorded times.
     void forget() { known_ = 0; }
 
-    // Returns the largest size whose picture is expected to take at most `seconds`. It is `width` x `height` times a
-    // multiple of 1/24, at least 2/24; a quarter of each side if no times have been recorded.
+    // Returns the largest size whose picture is expected to take at most `seconds`. Both sides are the same fraction of
+    // `width` and `height`: a multiple of 1/24, at least 2/24. If no times have been recorded, the fraction is a
+    // quarter.
     std::pair<int, int> size(int width, int height, double seconds) const
     {
         const auto of = [](int side, int part) { return std::max(1, side * part / parts); };
@@ -44,8 +45,8 @@ public:
 
 private:
     static constexpr int parts = 24;         // sizes are multiples of 1/24 of the full width and height
-    static constexpr int least_parts = 2;    // smallest size
-    static constexpr int first_parts = 6;    // size of the first picture
+    static constexpr int least_parts = 2;    // smallest size, in 24ths
+    static constexpr int first_parts = 6;    // size of the first picture, in 24ths
     static constexpr double fixed = 0.0003;  // seconds; overhead per picture for threads and communication
 
     // Costs of the last pictures in seconds per pixel. expected() uses the largest one, because views change too fast

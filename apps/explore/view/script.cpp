@@ -30,7 +30,7 @@ struct ScriptLine {
 
     [[noreturn]] void fail(const std::string& why) const { throw InputError(fmt::format("{}: {}", place, why)); }
 
-    // Returns an argument from `low` to `high`. Throws InputError.
+    // Returns argument number `word`. Throws InputError if it is not a whole number from `low` to `high`.
     int integer(std::size_t word, int low, int high) const
     {
         try {
@@ -124,7 +124,7 @@ bool after_given(const ScriptLine& line, const Stage& /*on*/) { return line.fram
 void nothing(const ScriptLine& /*line*/, const Stage& /*on*/) {}
 
 // A command that is not an action. It has from `least` to `most` arguments. begin() is called once; done() is called in
-// each frame until it returns true. Then the next line follows in the same frame.
+// each frame until it returns true. The script's next line then begins in the same frame.
 struct Command {
     std::string_view name;
     std::size_t least, most;

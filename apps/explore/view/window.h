@@ -43,7 +43,7 @@ public:
     void set_clipboard(const std::string& text) const override;
     void toggle_full_screen() override;
     bool toggle_panel_focus() override;
-    // Returns true once after toggle_panel_focus() has moved the keyboard to the panel.
+    // Returns true at the first call after toggle_panel_focus() has moved the keyboard to the panel; otherwise false.
     bool take_panel_focus() { return std::exchange(focus_, false); }
 
 private:
