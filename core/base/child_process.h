@@ -33,7 +33,7 @@ private:
     Descriptor descriptor_;
 };
 
-// The caller keeps ownership of the descriptors.
+// The program to start as a child process, and its settings. The caller keeps ownership of the descriptors.
 struct ChildSetup {
     std::vector<std::string> words;  // name and arguments: argv
     std::string program = {};        // executable file; empty: words[0], searched in PATH

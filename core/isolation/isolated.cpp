@@ -73,7 +73,7 @@ public:
     int next_number() { return numbers_++; }
 
 private:
-    static constexpr std::size_t most_spare = 64;  // memory over this many times the size needed is replaced
+    static constexpr std::size_t most_spare = 64;  // shared memory over this many times the size needed is replaced
 
     std::shared_ptr<const ForkServer> fork_server_;
     std::string name_;

@@ -7,7 +7,8 @@ struct Normal {
     counter iterations;
 };
 
-// Returns the gradient of DE by central differences, with six DE evaluations.
+// Returns the normal, which is the direction of the gradient of DE. Computes it by central differences, with six DE
+// evaluations.
 FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
 {
     real h = larger(norm(p), 1) * scene.difference_step;
@@ -43,8 +44,9 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
     return normal;
 }
 
-// Returns the gradient of DE by differences over a tetrahedron, whose four corners are at distance h from p, with
-// four DE evaluations. Details smaller than h have no effect, so the normals of adjacent pixels are similar.
+// Returns the normal, which is the direction of the gradient of DE. Computes it from four DE evaluations, at the
+// corners of a tetrahedron, which are at distance h from p. Details smaller than h have no effect, so the normals of
+// adjacent pixels are similar.
 FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
 {
     vec3 slope = vec3(0, 0, 0);
@@ -149,7 +151,8 @@ FN Pixel finished(Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
     return pixel;
 }
 
-// Returns the pixel of a hit, shaded with a look and the given openness. The pixel of a ray without a hit is unchanged.
+// Returns the pixel of a hit, shaded with a look and the given openness. If the ray has no hit, returns `pixel`
+// unchanged.
 FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal, Occlusion found)
 {
     mask on = is_hit(hit);
@@ -161,7 +164,7 @@ FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal 
     return finished(hit, pixel, at, normal);
 }
 
-// Returns the pixel of a hit, shaded with the normal at its shading point. The pixel of a ray without a hit is
+// Returns the pixel of a hit, shaded with the normal at its shading point. If the ray has no hit, returns `pixel`
 // unchanged.
 FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {

@@ -32,8 +32,9 @@ FN real relaxed(Scene scene, Ray ray)
     return step;
 }
 
-// Neighbours are pixels that are rendered before the pixels between them, and pass on a depth to these: the t of the
-// hit; clear_miss() if the ray missed with enough clearance for the rays around it; or unclear_miss() for other misses.
+// Neighbours are pixels that are rendered before the pixels between them. A neighbour passes on a depth to these
+// pixels: the t of its hit; clear_miss() if its ray missed with enough clearance for the rays around it; or
+// unclear_miss() for other misses.
 FN scalar clear_miss() { return R(-1.0); }
 FN scalar unclear_miss() { return R(0.0); }
 

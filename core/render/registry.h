@@ -44,8 +44,8 @@ public:
 
     std::vector<std::string> names() const;
 
-    // Returns the first accelerator that has a GPU; if there is none, the host backend. Throws Unavailable if that is
-    // missing, too.
+    // Returns the first accelerator that has a GPU; if there is none, the host backend. Throws Unavailable if the host
+    // backend is missing, too.
     AutomaticChoice automatic() const;
 
 private:

@@ -33,7 +33,7 @@ struct Loops {
 };
 
 struct LoopLimit {
-    std::int64_t survived;  // max loop iterations of an invocation in a pass
+    std::int64_t survived;  // max loop iterations of an invocation in a pass that the device survives
     Loops of_scene;         // counted by loops_of() of instruments/loops.h
 };
 
@@ -82,9 +82,9 @@ class Executor {
 public:
     virtual ~Executor() = default;
 
-    // Runs an entry point on every pixel of the band. `steps` is the max number of steps of a ray in this pass for
-    // `march`, and of refinements for `refine`. May return before the device has finished; marching() and read_back()
-    // wait for it.
+    // Runs an entry point on every pixel of the band. For `march`, `steps` is the max number of steps of a ray in this
+    // pass; for `refine`, it is the max number of refinements of a hit. May return before the device has finished;
+    // marching() and read_back() wait for it.
     virtual void run(Entry entry, const Band& band, int steps) = 0;
 
     // Called after `march`. Returns true while any ray of the band has neither hit nor left the scene.

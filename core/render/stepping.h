@@ -12,7 +12,7 @@ namespace mandelmarch {
 
 struct Stepping {
     double step_factor;  // length of a step without over-relaxation, as a multiple of the estimate
-    double relaxation;   // max length of an over-relaxed step, in estimates; equal to step_factor: none
+    double relaxation;   // max length of an over-relaxed step, in estimates; equal to step_factor: no over-relaxation
     double root_share;   // max |DE - tolerance t| at a hit, in tolerances
 };
 

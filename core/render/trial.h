@@ -14,7 +14,7 @@ namespace mandelmarch {
 // Result of a trial.
 struct Trial {
     double step_factor = 0;  // the step factor to use for the picture
-    double off = 0;          // fraction of the trial's pixels that shorter steps change visibly; 0 without shorter ones
+    double off = 0;          // fraction of the trial's pixels that shorter steps change visibly; 0: none tried
     bool settled() const;    // true if shorter steps would change few pixels
 };
 

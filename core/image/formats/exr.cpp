@@ -89,7 +89,8 @@ void insert_channels(Imf::ChannelList& channels)
     for (const char* name : exr_counts) channels.insert(name, Imf::Channel(Imf::UINT));
 }
 
-// OpenEXR's output stream to an OutputFile that can seek.
+// An output stream that OpenEXR writes to. Passes the data to an OutputFile, which must not be a stream, because
+// OpenEXR seeks.
 class FileStream : public Imf::OStream {
 public:
     FileStream(OutputFile& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
@@ -138,7 +139,7 @@ void encode(Imf::OStream& stream, const Image& image)
     }
 }
 
-// OpenEXR's input stream from memory.
+// An input stream that OpenEXR reads from. Reads from memory.
 class MemoryStream : public Imf::IStream {
 public:
     MemoryStream(std::span<const std::byte> data, const std::string& name) : Imf::IStream(name.c_str()), data_(data) {}
@@ -198,7 +199,8 @@ struct ExrChannels {
     bool light = true;            // R, G and B are linear light; false for old files of this program
 };
 
-// Checks the file's header before OpenEXR allocates the memory that the header claims. Throws if it is not acceptable.
+// Checks the file's header before OpenEXR allocates the memory that the header claims. Throws if the header is not
+// acceptable. Returns the file's channels.
 ExrChannels check_header(std::span<const std::byte> data, const std::string& name)
 {
     MemoryStream stream(data, name);

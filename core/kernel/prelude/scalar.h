@@ -14,7 +14,7 @@
 #define count(on) ((on) ? 1 : 0)
 
 // Both functions round to the nearest integer, ties to even. nvptx has an instruction for nearbyint, and x86 computes
-// rint with a few instructions; on either one, the other function would be a call.
+// rint with a few instructions. With the functions exchanged, both would call a library.
 #if defined(_OPENACC) || defined(MM_OFFLOADED)
 #define MM_NEAREST(suffix) __builtin_nearbyint##suffix
 #else
