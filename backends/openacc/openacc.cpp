@@ -28,8 +28,8 @@ constexpr const char* gpu_maker = "NVIDIA";
 
 // Pixels per band on the host, where bands serve only to report progress.
 constexpr std::int64_t host_band = 1 << 13;
-// Numbers of threads that measure the multiply-add peak: on a GPU several for each lane of the largest GPUs; on the
-// host fewer, because it executes them one after the other.
+// Numbers of threads that measure the multiply-add peak. On a GPU there are several for each lane of the largest GPUs.
+// On the host there are fewer, because it executes them one after the other.
 constexpr int gpu_threads = 1 << 21;
 constexpr int host_threads = 1 << 7;
 

@@ -171,7 +171,7 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
     ended[1].size = 0;
     Lanes lanes;
     lanes.taken = 0;
-    // Lanes that never receive a ray hold zeros, with which they do not march.
+    // Lanes that never receive a ray hold zeros, for which marching() returns false.
     for (int field = 0; field < 9; ++field) lanes.reals[field].all = 0;
     for (int field = 0; field < 3; ++field) lanes.wholes[field].all = 0;
     const uint all = (uint)((1ul << MM_LANES) - 1);

@@ -55,7 +55,7 @@ public:
 private:
     void give_back()
     {
-        // The C function does not throw.
+        // Uses the C function, because a destructor must not throw.
         if (mapped_ != nullptr) clEnqueueUnmapMemObject(queue_(), pinned_.buffer(), mapped_, 0, nullptr, nullptr);
         mapped_ = nullptr;
     }
@@ -88,7 +88,7 @@ inline std::optional<double> device_seconds(const cl::Event& done)
 {
     cl_ulong begin = 0;
     cl_ulong end = 0;
-    // The C function does not throw: a missing clock is not an error.
+    // Uses the C function, which does not throw, because a missing clock is not an error.
     const auto ask = [&](cl_profiling_info when, cl_ulong& time) {
         return clGetEventProfilingInfo(done(), when, sizeof(time), &time, nullptr) == CL_SUCCESS;
     };

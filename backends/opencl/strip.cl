@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders a strip of pixels in vectors, block by block.
 
-// Height of a strip, and width of a block of MM_LANES pixels, which is as square as possible; in pixels.
+// MM_STRIP is the height of a strip, in pixels. MM_WIDTH and MM_HEIGHT are the sides of a block of MM_LANES pixels,
+// which is as square as possible.
 #define MM_STRIP 16
 #if MM_LANES == 32
 #define MM_WIDTH 8

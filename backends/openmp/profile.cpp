@@ -47,8 +47,8 @@ public:
     }
 
 private:
-    // Calls draw() for each lattice of each band. The bands are the renderer's, because the start of rays near a band's
-    // edge depends on where the edge is.
+    // Calls draw() for each lattice of each band. The bands are the same as those of the renderer, because the start of
+    // rays near a band's edge depends on where the edge is.
     template <class Draw>
     void each_lattice(Image& image, Draw draw)
     {

@@ -50,8 +50,8 @@ bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Te
     return techniques.shared_occlusion && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
 }
 
-// Returns true if subtiles begin with cones. A cone ends at a distance of several of its widths from the
-// surface. If a pixel is many tolerances wide, the cone can end at once, and is not worth its time.
+// Returns true if subtiles begin with cones. A cone ends several of its widths in front of the surface. If a pixel is
+// many tolerances wide, a cone can end as soon as it begins, and then costs more time than it saves.
 template <class KernelScene>
 bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variant: the kernel compiled for one fractal, precision, mode, instruction set and pack width; and what variants
-// share. Contains plain data only, because translation units for different instruction sets include it.
+// A variant: the kernel compiled for one fractal, precision, mode, instruction set and pack width. This file also has
+// the types that variants share. Contains plain data only, because translation units for different instruction sets
+// include it.
 #pragma once
 
 #include <cstddef>

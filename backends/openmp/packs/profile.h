@@ -47,8 +47,8 @@ HWY_NOINLINE HWY_MAYBE_UNUSED void store_packs(Drawing& d, int packs, const Pixe
     }
 }
 
-// Clock that times the passes. When the pool of ended rays is a quarter full, it shades them in the three passes, so
-// that other passes rarely have to shade.
+// Clock that times the passes. When the pool of ended rays is a quarter full, the clock shades these rays in the three
+// passes, so that other passes rarely have to shade.
 class StageClock {
 public:
     StageClock(ProfileMemory& memory, double (*now)(), double* seconds)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Begins the rays of a square of pixels of a lattice.
 
-// A square of `across` x `across` pixels of a lattice. Adjacent ones are 2^log2_apart pixels of the picture apart.
+// A square of `across` x `across` pixels of a lattice. In the picture, adjacent pixels of the square are 2^log2_apart
+// pixels apart.
 struct Square {
     int left;  // column of the first pixel
     int bottom;

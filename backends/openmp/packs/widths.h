@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions on packs of other widths, which the pools call.
+// Types of the functions that the pools' code calls to process packs of other widths.
 
 enum class StepKind { march, march_cones, refine };
 
