@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenACC backend: the kernel on NVIDIA GPUs, or on one thread of the host if none is present.
+// The OpenACC backend: the kernel on NVIDIA GPUs or on one thread of the host.
 #include <fmt/format.h>
 #include <openacc.h>
 

@@ -191,8 +191,8 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
         free = all & ~marches;
         leave(&lanes, free & lanes.taken, stopped(*scene, ray), ended);
         lanes.taken &= marches;
-        // One call in the code shades both lists, and at the strip's end their last rays, so that shading is compiled
-        // only once.
+        // This is the only call that shades. It serves both lists and, at the end of the strip, their last rays, so
+        // that shading is compiled only once.
         int enough = lanes.taken == 0 && !rays_wait(strip, &queue) ? 1 : MM_LANES;
         for (int list = 0; list < 2; ++list) {
             while (ended[list].size >= enough) shade_last(scene, ended + list, target);

@@ -80,7 +80,8 @@ struct Session {
     std::int64_t largest_buffer = 0;  // bytes
 };
 
-// Returns the program for a fractal, which is generated from kernel.cl (CMakeLists.txt); nullptr if there is none.
+// Returns the source text of the program for a fractal, generated from kernel.cl (CMakeLists.txt); nullptr if there is
+// none.
 const std::string_view* program_text(std::string_view fractal);
 
 // Returns the run time of a kernel in seconds, by the device's clock; nullopt if the device has no clock.

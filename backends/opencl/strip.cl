@@ -50,8 +50,8 @@ FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
     }
 }
 
-// A block of pixels, at least one of which is in the strip: their positions for the camera, and their indices in a
-// plane. Pixels outside the strip have index -1.
+// A block of pixels, at least one of which is in the strip. i and j are the pixels' columns and rows in the picture.
+// `at` has their indices in a plane, and -1 for pixels outside the strip.
 struct Block {
     union Reals i;
     union Reals j;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A variant: the kernel compiled for one fractal, precision, mode, instruction set and pack width. This file also has
-// the types that variants share. Contains plain data only, because translation units for different instruction sets
-// include it.
+// the types that variants share. The file contains plain data only, because translation units for different instruction
+// sets include it.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ inline constexpr int stages = 6;
 
 // Fast mode renders the pixels of a picture in up to three lattices: first the pixels whose column and row are
 // multiples of 4, then those whose column and row are multiples of 2, then all others. A later ray begins near the hits
-// of the pixels around it that are already rendered (core/kernel/march.h, neighbour_start()).
+// of the pixels around it that are already rendered (neighbour_start() in core/kernel/stepping.h).
 
 // The pixels whose column and row are multiples of `apart` (1, 2 or 4), without those whose column and row are
 // multiples of `before`, which are already rendered. `before` is 0 in the first lattice.

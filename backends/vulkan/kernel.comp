@@ -43,7 +43,7 @@ layout(push_constant) uniform Pass
 {
     int first_row;
     int rows;
-    int steps;   // max steps of marching, or max refinements in a pass without marching
+    int steps;   // max steps of marching; in a pass without marching: max refinements
     int pixels;  // values per plane of the results
 } pass;
 

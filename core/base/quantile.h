@@ -17,8 +17,8 @@ auto value_of_rank(Values values, std::size_t rank)
     return *at;
 }
 
-// Returns the value below which the given share of the other values lies, from 0 to 1. If the share falls between two
-// values, returns the lower value.
+// Returns the value that the given share of the other values, from 0 to 1, does not exceed. If no value fits exactly,
+// returns the next lower one.
 template <class Values>
 auto quantile(const Values& values, double share)
 {

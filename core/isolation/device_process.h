@@ -36,7 +36,7 @@ private:
     void log(std::string_view text);                    // appends to the file named by MANDELMARCH_DRIVER_LOG
     void repeat_said();                                 // prints the stored output to stderr
     std::string end(bool now = false);                  // ends the process; returns how it ended
-    bool told(const Progress& progress, double share);  // false: cancelled, and told the process
+    bool told(const Progress& progress, double share);  // calls `progress`; returns false if it cancels
     [[noreturn]] void fail(Answer kind, Deserializer& answer, const char* doing);
 
     std::shared_ptr<const ForkServer> fork_server_;

@@ -23,7 +23,7 @@ namespace {
 
 using Task = std::function<void(Channel)>;
 
-constexpr double patience = 1;  // seconds that a process has to exit after its channel was closed
+constexpr double patience = 1;  // seconds within which a process must exit after its channel was closed
 
 [[noreturn]] void fail(const char* what)
 {

@@ -82,7 +82,8 @@ FN Scene scene_of(const KernelArguments* job)
     return fixed_scene(job);
 }
 
-// Returns the scene for marching. In exact mode, marching does not depend on `differences`, so it is made a constant.
+// Returns the scene for marching. In exact mode, marching does not depend on `differences`, so `differences` is made a
+// constant.
 FN Scene march_scene_of(const KernelArguments* job)
 {
     Scene scene = scene_of(job);

@@ -42,7 +42,7 @@ FN Ray begin(Scene scene, real i, real j)
 }
 
 // Returns the tolerance at the last sample. The sample is a hit if its estimate is below the tolerance. The original
-// stepping computes it from the t after the step, canonical pictures from the t of the sample.
+// stepping computes the tolerance from the t after the step, canonical pictures from the t of the sample.
 FN real tolerance(Scene scene, Ray ray)
 {
     real t = ray.t;

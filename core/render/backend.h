@@ -47,7 +47,7 @@ struct Techniques {
     bool trial = true;             // fast: a small trial render decides whether steps must be shorter
     bool refinement = true;        // fast: hits are refined to the canonical root; false: by one secant only
     bool shared_occlusion = true;  // fast, openmp, films: adjacent pixels of one surface share the occlusion of a look
-    bool tail = true;              // fast, Mandelbox: the last iterations of an orbit skip their tests
+    bool tail = true;              // fast, Mandelbox: the last iterations of an orbit skip most tests
     bool gradient = true;          // fast, double: normals from the gradient; false: from differences of six estimates
 };
 

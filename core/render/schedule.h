@@ -60,7 +60,7 @@ inline std::int64_t pixels_of_gpu(std::int64_t threads)
     return std::clamp(waves_of_band * threads, fewest_of_gpu, largest_band);
 }
 
-// Returns the limits with bands of `band` pixels, but at most the device's capacity. If `band` is 0, they are
+// Returns the limits with bands of `band` pixels, but at most the device's capacity. If `band` is 0, the limits are
 // unchanged.
 inline Limits with_band(Limits limits, int band)
 {
@@ -95,8 +95,8 @@ public:
 };
 
 // Renders the scene band by band. If an invocation may compute a whole pixel, a band is rendered by one pass of `draw`.
-// Otherwise it takes a pass of `begin`, passes of `march` until all rays have stopped, passes of `refine` in fast mode,
-// and a pass of `shade`.
+// Otherwise the band takes a pass of `begin`, passes of `march` until all rays have stopped, passes of `refine` in fast
+// mode, and a pass of `shade`.
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress);
 

@@ -16,7 +16,8 @@ struct Scene;
 class SceneRandom;
 class Formula;
 
-// Name and range of a number in a parameter file. The range includes `high`, and it includes `low` unless `open_low`.
+// Name and range of a number in a parameter file. The range includes `high`. It includes `low` unless `open_low` is
+// true.
 struct ParameterInfo {
     std::string_view name;
     double low;

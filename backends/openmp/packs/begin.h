@@ -70,7 +70,7 @@ HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, 
 HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square& square)
 {
     const int side = square.across() << square.log2_apart;
-    const int log2_pixels = log2_of(block_side) - square.log2_apart;  // log2 of the pixels in a subtile
+    const int log2_pixels = log2_of(block_side) - square.log2_apart;  // log2 of the pixels on a subtile's side
     bool all_gone = true;
     for (int y = 0; y < side && bottom + y < d.canvas.end_row; y += block_side) {
         for (int x = 0; x < side && left + x < d.scene.width; x += block_side) {

@@ -51,7 +51,7 @@ HWY_INLINE void shade_packs_of(Drawing& d, Pool& pool, bool all)
     keep_rest<held>(pool, count);
 }
 
-// Moves the ended rays that can use the occlusion of neighbouring pixels to their own pool.
+// Moves ended rays to the pool `sharing` if they can use the occlusion of neighbouring pixels.
 HWY_NOINLINE void split_sharing(Drawing& d)
 {
     Pool& ended = d.pools.ended;

@@ -89,8 +89,8 @@ private:
     double last_;
 };
 
-// Renders tiles until none are left, and adds the seconds of each Stage to `seconds`. `at`: a ProfileMemory. The given
-// Shading is used only when another pass must make room in the pool of ended rays.
+// Renders tiles until none are left, and adds the seconds of each Stage to `seconds`. `at`: address of a ProfileMemory.
+// The given Shading is used only when another pass must make room in the pool of ended rays.
 template <const Sampling& sampling, const Shading& shading>
 void profile(const KernelScene<MM_REAL>& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at,
              double (*clock)(), double* seconds)

@@ -19,7 +19,7 @@ HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& p
 }
 
 // Shades the first `count` hits of a pool in a picture with shared occlusion. If the template argument `shared` is
-// true, the hits already have the occlusion of their neighbours; otherwise it is computed.
+// true, the hits already have the occlusion of their neighbours; otherwise their occlusion is computed.
 template <bool shared>
 HWY_NOINLINE void shade_among_rays(const KernelScene<MM_REAL>& data, const Pool& pool, int count,
                                    const Canvas<MM_REAL>& canvas, WorkCounts& spent)

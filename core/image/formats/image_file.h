@@ -29,9 +29,9 @@ Image::Layers layers_of(ImageFormat format);
 void check_image_size(ImageFormat format, int width, int height);
 
 // Writes the picture to a file that appears completely or not at all. JPEG is lossy. EXR needs an image with all
-// layers. Its channels are R, G and B (linear light: the displayed values without the sRGB curve); displayed.R,
-// displayed.G and displayed.B; Z (the depth t, +infinity without a hit); steps; and iterations. Throws Error with the
-// path and the cause.
+// layers. The channels of an EXR file are R, G and B (linear light: the displayed values without the sRGB curve);
+// displayed.R, displayed.G and displayed.B; Z (the depth t, +infinity without a hit); steps; and iterations. Throws
+// Error with the path and the cause.
 void write_image(const std::string& path, ImageFormat format, const Image& image);
 
 // Reads a picture. Its first bytes determine the format:
