@@ -74,7 +74,7 @@ public:
                            .driver = "compiler " __VERSION__,
                            .is_gpu = false},
                 .pixels_per_band = host_band,
-                .refill_lanes = true,  // does not help a single thread, but runs the same code as on a GPU
+                .refill_lanes = true,  // does not speed up a single thread, but runs the same code as on a GPU
                 .peak_threads = host_threads,
                 .note = fmt::format("runs on the {}", name)};
     }

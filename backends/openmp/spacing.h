@@ -59,8 +59,9 @@ bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Technique
 }
 
 // Returns the size of an enlarged hull for subtiles; 0 if the scene has no hull. If any ray of a subtile meets the
-// scene's hull, the subtile's centre ray meets the enlarged one. Rays leave the scene's hull at most at the distance
-// `farthest`, where each ray of a subtile is at most half the subtile's diagonal away from the centre ray.
+// scene's hull, the subtile's centre ray meets the enlarged one. Rays leave the scene's hull no farther than `farthest`
+// from the eye. At that distance, each ray of a subtile is at most half the subtile's diagonal away from the centre
+// ray.
 template <class KernelScene>
 auto block_hull_of(const KernelScene& scene, const Fractal& fractal) -> decltype(scene.tolerance + 0)
 {

@@ -60,7 +60,7 @@ std::string group_of(const std::string& root, std::string_view controller)
 }
 
 // Returns the folders of the process's group and of its parent groups; the root group is last. In a container, the root
-// group may be the process's own.
+// group may be the process's own group.
 std::vector<std::string> folders(const std::string& root, std::string_view controller)
 {
     const std::string groups = root + "/sys/fs/cgroup";

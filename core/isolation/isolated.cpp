@@ -18,7 +18,7 @@ namespace {
 
 using namespace isolation;
 
-// A device: the process that a renderer uses, if any, and the shared memory for the device's pictures.
+// A device: its process, if a renderer uses one, and the shared memory for its pictures.
 class Host {
 public:
     Host(std::shared_ptr<const ForkServer> fork_server, std::string name)

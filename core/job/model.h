@@ -42,7 +42,7 @@ class Model {
 public:
     virtual ~Model() = default;
 
-    // Like the functions of Backend with the same names.
+    // Functions like those of Backend with the same names.
     virtual std::string_view name() const = 0;
     virtual BackendInfo info() const = 0;
     virtual std::optional<std::string> unavailable() const { return std::nullopt; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Uses NVIDIA's driver for queries that OpenACC and OpenMP do not support. The driver's library is loaded on first use.
-// If it is missing or too old, times are the host's, and launches have the fewest pixels that suit a GPU.
+// If it is missing or too old, the host's clock measures times, and launches have the fewest pixels that suit a GPU.
 #pragma once
 
 #include <cstdint>

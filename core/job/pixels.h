@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel source, and the functions that a model's loops call for each pixel of a job: on a CPU draw_pixel(); on a
-// GPU march_pixel(), shade_pixel() and bytes_of_pixel(), one after the other. Has no include guard: every kernel source
-// file includes it once, in its own namespace and after core/job/job.h. The including file defines MM_REAL,
-// MM_REAL_IS_FLOAT, MM_FRACTAL_FILE, and MM_MODE_exact or MM_MODE_fast.
+// GPU march_pixel(), shade_pixel() and bytes_of_pixel(), one after the other. Has no include guard: the source file of
+// each compiled kernel includes it once, in its own namespace and after core/job/job.h. The including file defines
+// MM_REAL, MM_REAL_IS_FLOAT, MM_FRACTAL_FILE, and MM_MODE_exact or MM_MODE_fast.
 #ifndef MM_PRELUDE
 #define MM_PRELUDE "core/kernel/prelude/scalar.h"
 #endif

@@ -95,7 +95,8 @@ FN real channel(Scene scene, real light, real n)
     return c * c;
 }
 
-// Returns the colour of the original program: the components of the normal, lit by its angle to the view direction.
+// Returns the colour that the original program computes from the components of the normal and from a light term, which
+// depends on the normal and the view direction.
 FN vec3 lit(Scene scene, vec3 direction, vec3 n)
 {
     real light = R(1.8) * larger(dot3(minus(n, vec3(1, 1, 1)), direction), R(0.3));

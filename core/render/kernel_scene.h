@@ -33,7 +33,8 @@ namespace layout_f32 {
 template <class Real>
 using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
-// Returns a scene as the struct Scene that the kernel source defines in the namespace in which it is included.
+// Returns a scene as another type with the same layout: the struct Scene of a namespace that includes the kernel
+// source.
 template <class Scene, class Layout>
 const Scene& scene_as(const Layout& scene)
 {

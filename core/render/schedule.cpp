@@ -13,8 +13,8 @@
 namespace mandelmarch {
 namespace {
 
-// Number of bands that a large picture is divided into. Enough to show progress, and each band is large enough to
-// keep a device busy.
+// Number of bands into which a large picture is divided. There are enough bands to show progress, and each is large
+// enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
 // For bands whose size is determined by time: the pixels of the first band, and the max ratio of a band to the one
 // before.

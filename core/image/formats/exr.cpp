@@ -89,8 +89,8 @@ void insert_channels(Imf::ChannelList& channels)
     for (const char* name : exr_counts) channels.insert(name, Imf::Channel(Imf::UINT));
 }
 
-// An output stream that OpenEXR writes to. Passes the data to an OutputFile, which must not be a stream, because
-// OpenEXR seeks.
+// An output stream that OpenEXR writes to. Passes the data to an OutputFile, which must be able to seek (see
+// OutputFile::is_stream()).
 class FileStream : public Imf::OStream {
 public:
     FileStream(OutputFile& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
