@@ -5,7 +5,7 @@
 // Like the kernel source, the files of packs/ have no include guards: packs/kernel.h includes them in order, several
 // times, each time in another namespace and for another kind of pack.
 
-// Forces a lambda to be inlined; its call would cost more than its body.
+// Forces a lambda to be inlined, because a call would cost more than the lambda's body.
 #undef MM_INLINED
 #define MM_INLINED __attribute__((always_inline)) HWY_ATTR
 

@@ -35,7 +35,7 @@ public:
             variant_.profile(picture_.kernel_scene(), canvas, tiles, profile_memory, &now, seconds.of.data());
         });
         // Renders the picture a second time without a clock, into another image, so that `image` keeps the profiled
-        // one.
+        // picture.
         Image whole(image.width(), image.height(), Image::Layers::bytes);
         void* const memory = memory_.of_size(variant_.memory);
         const double start = now();

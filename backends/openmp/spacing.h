@@ -27,8 +27,8 @@ auto spacing_of(const KernelScene& scene) -> decltype(scene.tolerance + 0)
                           length_of(scene.upward) / static_cast<Real>(scene.height));
 }
 
-// Returns the lattices of a picture. The pixels of the coarsest lattice are so close together that the rays of the
-// pixels between them can begin near their hits (neighbour_pitch).
+// Returns the lattices of a picture. The pixels of the coarsest lattice are so close together that rays of the pixels
+// in between can begin near the lattice's hits (neighbour_pitch).
 template <class KernelScene>
 Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {

@@ -69,8 +69,8 @@ struct Canvas {
     Lattice lattice;        // pixels to render, counted from first_row
     Real* block_start;      // for each subtile, a t before which none of its rays hits
     Real* neighbour_depth;  // depths of the pixels in even columns and rows, at half the pixel's index
-    // Occlusion at the hits of the same pixels, at the same indices; the pixels between them share it. null: not
-    // shared.
+    // Occlusion at the hits of the same pixels, at the same indices. The pixels in between share this occlusion. null:
+    // not shared.
     Real* along_normal;
     Real* sunwards;
     Real* reals;
@@ -122,7 +122,8 @@ struct VariantList {
 };
 
 // Measures the multiply-add peak for one instruction set (peak_packs.cpp.in). `run` executes `rounds` iterations of
-// multiply_add_chains on one thread and returns their result, so that the compiler cannot remove them.
+// multiply_add_chains on one thread and returns their result, because the compiler would otherwise remove the
+// iterations.
 struct PeakKernel {
     int lanes;
     double (*run)(int rounds);

@@ -186,8 +186,8 @@ private:
                                  groups(scene_.width, group_side), groups(band.rows, group_side));
     }
 
-    // Copies the first bytes of the results to memory that the host can read. Returns their address there; the bytes
-    // are valid after the device has finished.
+    // Copies the first bytes of the results to memory that the host can read. Returns the address of the copy, which is
+    // valid after the device has finished.
     const std::byte* fetch(vk::DeviceSize size)
     {
         const bool mirrored = results().bytes == nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Number of cores available to this process, and its affinity.
+// Number of cores available to this process, and the process's affinity.
 #pragma once
 
 #include <optional>

@@ -27,8 +27,8 @@ public:
     void seek(std::uint64_t offset);
     void commit();
 
-    // Throws InputError if the target certainly cannot be written, because it is a folder, for example, or because its
-    // folder is missing or not writable. Changes nothing.
+    // Throws InputError if the target certainly cannot be written: for example, if it is a folder, or if its folder is
+    // missing or not writable. Changes nothing.
     static void check(const std::string& path);
 
     // Returns true if the path refers to a device, a pipe, or another existing object that is neither a regular file

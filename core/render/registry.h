@@ -16,7 +16,7 @@ namespace mandelmarch {
 struct Listing {
     std::vector<Device> devices;
     std::string unavailable;  // why the backend has no devices
-    std::string failure;      // how its driver failed while it listed the devices
+    std::string failure;      // how the driver failed while it listed the devices
 };
 
 Listing listing_of(const Backend& backend);

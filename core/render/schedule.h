@@ -11,8 +11,8 @@
 
 namespace mandelmarch {
 
-// The kernel's entry points. `draw` renders a pixel completely. The others are its stages; between them, rays are
-// stored.
+// The kernel's entry points. `draw` renders a pixel completely. The other entry points are the stages of `draw`.
+// Between two stages, rays are stored.
 enum class Entry { draw, begin, march, refine, shade };
 
 // Rows [first_row, first_row + rows) of the picture, counted from the bottom.

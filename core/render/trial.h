@@ -22,7 +22,8 @@ struct Trial {
 Scene trial_scene(const Scene& scene);
 
 // Returns the step factor that fast mode should use for the scene. `draw` renders a small picture. Begins with the
-// usual step factor, and compares its picture with that of the next one of shorter_step_factors (stepping.h):
+// usual step factor, and compares its picture with the picture of the next shorter one (shorter_step_factors in
+// stepping.h):
 // 1. If few pixels differ, the longer steps are used.
 // 2. If more differ, the shorter steps become the longer ones of the next comparison.
 // 3. If the number of differing pixels does not decrease, the precision is the cause, and the usual factor is used.

@@ -110,7 +110,7 @@ HWY_NOINLINE void refine_pool(Drawing& d)
     d.pools.refining = d.pools.hits.size;
 }
 
-// Stores the depths of a lattice's rays. The rays of the pixels between them will begin near these depths.
+// Stores the depths of a lattice's rays. The rays of the pixels in between will begin near these depths.
 HWY_INLINE void leave_depths(const Drawing& d, const RayPack& a, const real& t, const mask& on)
 {
     Int places[places_room] = {};

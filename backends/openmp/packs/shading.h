@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shading of packs of hits, for pools.
 
-// Stores the occlusion of hits on the canvas. The hits of later pixels between them can share it.
+// Stores the occlusion of hits on the canvas. The pixels in between, which are rendered later, can share it.
 HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Occlusion& found,
                                    const mask& on)
 {
