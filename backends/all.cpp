@@ -15,7 +15,7 @@
 
 namespace mandelmarch {
 
-// A backend's name, and the function that makes the backend; nullptr: the backend was not built.
+// A backend's name, and the function that makes the backend. The function is null if the backend was not built.
 struct Registration {
     std::string_view name;
     std::unique_ptr<Backend> (*make)();

@@ -29,7 +29,7 @@ enum class Stage { begin, march, refine, normal, shade };
 inline constexpr int stage_count = 5;
 inline constexpr std::array<const char*, stage_count> stage_names{"begin", "march", "refine", "normal", "shade"};
 
-// Sums over pixels.
+// Counts, summed over the pixels rendered.
 struct PixelCount {
     std::array<Operations, stage_count> stages;
     Work work;  // from the kernel's own counters

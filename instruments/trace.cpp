@@ -33,8 +33,8 @@ std::string line_of(const Trace& trace, std::size_t index, const TracedSample& s
                    number(trace, sample.tolerance), decided);
 }
 
-// Describes in words what the ray does after a sample. `from`: the sample from which the next step is made: this one
-// or, if the step to it was too long and is taken back, an earlier one.
+// Describes in words what the ray does after a sample. `from`: the sample from which the ray continues. It is this
+// sample or, if the step to this sample is taken back, an earlier sample.
 std::string decided(const Trace& trace, const TracedSample& sample, const TracedSample& from)
 {
     std::string step = fmt::format("step of {:.4g} DE", (sample.next - from.t) / from.distance);

@@ -33,7 +33,7 @@ namespace mandelmarch::cuda {
     NAME(cuGetErrorString)
 
 // Pointers to the driver's functions. Each member is named like its function after macro expansion: cuda.h defines
-// cuMemAlloc as cuMemAlloc_v2, so that member and the loaded function are named cuMemAlloc_v2.
+// cuMemAlloc as cuMemAlloc_v2, so both the member and the loaded function are named cuMemAlloc_v2.
 struct Driver {
 #define MM_MEMBER(name) decltype(&::name) name = nullptr;
     MM_DRIVER_FUNCTIONS(MM_MEMBER)

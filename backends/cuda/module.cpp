@@ -10,7 +10,7 @@ namespace {
 
 // Settings of the calling thread.
 struct OfThread {
-    std::vector<KernelResources>* told = nullptr;  // collects the result of loaded_by(); null if it is not running
+    std::vector<KernelResources>* told = nullptr;  // result of loaded_by(), while it runs; null at other times
     int block = job::block_threads;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Additions for CUDA to the scalar prelude. FN declares functions that run on the device; hide() makes the compiler
+// Adds to the scalar prelude what CUDA needs. FN declares functions that run on the device. hide() makes the compiler
 // assume that a value has changed.
 #pragma once
 

@@ -71,8 +71,8 @@ void* symbol(const std::string& name)
     return library().handle == nullptr ? nullptr : dlsym(library().handle, name.c_str());
 }
 
-// OpenMP has no query for a device's name and memory. OpenACC, which is in the same run-time library, has one, and
-// numbers the devices in the same way.
+// OpenMP has no query for a device's name and memory. OpenACC, which is in the same run-time library, has such queries,
+// and numbers the devices in the same way.
 std::string text_of(int device, acc_device_property_t property)
 {
     const char* text = acc_get_property_string(device, acc_device_nvidia, property);

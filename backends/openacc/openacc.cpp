@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenACC backend: the kernel on NVIDIA GPUs, or on one thread of the host if none is present.
+// The OpenACC backend: the kernel on NVIDIA GPUs or on one thread of the host.
 #include <fmt/format.h>
 #include <openacc.h>
 
@@ -28,8 +28,8 @@ constexpr const char* gpu_maker = "NVIDIA";
 
 // Pixels per band on the host, where bands serve only to report progress.
 constexpr std::int64_t host_band = 1 << 13;
-// Numbers of threads that measure the multiply-add peak: on a GPU several for each lane of the largest GPUs; on the
-// host fewer, because it executes them one after the other.
+// Numbers of threads that measure the multiply-add peak. On a GPU there are several for each lane of the largest GPUs.
+// On the host there are fewer, because it executes them one after the other.
 constexpr int gpu_threads = 1 << 21;
 constexpr int host_threads = 1 << 7;
 
@@ -74,7 +74,7 @@ public:
                            .driver = "compiler " __VERSION__,
                            .is_gpu = false},
                 .pixels_per_band = host_band,
-                .refill_lanes = true,  // does not help a single thread, but runs the same code as on a GPU
+                .refill_lanes = true,  // does not speed up a single thread, but runs the same code as on a GPU
                 .peak_threads = host_threads,
                 .note = fmt::format("runs on the {}", name)};
     }

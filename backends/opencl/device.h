@@ -39,15 +39,15 @@ std::vector<cl::Device> all_devices();
 
 Device description(const cl::Device& device);
 
-// How the kernel source is compiled for a device.
+// Settings with which the kernel source is compiled for a device.
 struct Build {
     int lanes = 1;           // pixels computed at once: the vector length of the kernel's `real`
     bool in_double = false;  // compute divisions and square roots of floats in double, rounded once
     std::string options;     // options of the OpenCL compiler
 };
 
-// Returns how to compile the kernel for this device. options.simd_width is the number of lanes; 0: the number that
-// suits the device. Throws Unavailable if the device does not support the options, InputError if OpenCL has no
+// Returns the settings for this device. options.simd_width is the number of lanes; 0: the number that suits the device.
+// Throws Unavailable if the device does not support the options, InputError if OpenCL has no
 // vectors with this number of lanes.
 Build build_for(const cl::Device& device, const RendererOptions& options);
 

@@ -141,7 +141,8 @@ private:
         return static_cast<int>(std::clamp(pixels / least * least, least, most));
     }
 
-    // Maps a buffer of a CPU device without a copy, because the buffer lies in host memory.
+    // Maps a buffer of a CPU device and returns its address. This makes no copy, because the buffer lies in host
+    // memory.
     void* mapped(const cl::Buffer& buffer, std::size_t bytes)
     {
         return session_.queue.enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, bytes);
@@ -157,7 +158,7 @@ private:
     Session& session_;
     cl::Kernel kernel_;
     int lanes_;
-    int block_;  // as in RendererOptions
+    int block_;  // RendererOptions::block_size
     int width_;
     std::size_t pixels_;  // per plane of the buffers
     bool bytes_alone_;

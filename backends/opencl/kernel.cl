@@ -5,8 +5,8 @@
 #define MM_TRUNCATED(x) ((int)(x))
 #include "core/kernel/bytes.h"
 
-// Destination of finished pixels. If `bytes_alone` is set, a pixel is three bytes; otherwise it is one value in each of
-// the planes of core/image/image.h, which have `pixels` values each.
+// Destination of finished pixels. If `bytes_alone` is set, a pixel is three bytes; otherwise it is one value in each
+// plane. The planes are those of core/image/image.h, with `pixels` values each.
 struct Target {
     __global scalar* reals;
     __global int* wholes;

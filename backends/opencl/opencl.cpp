@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenCL backend: the kernel on any OpenCL 1.2 device, in vectors if the device has vector units.
+// The OpenCL backend: the kernel on any OpenCL 1.2 device, in vectors on CPUs that have vector units.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ private:
                        .pixels_to_fill = session_->is_cpu ? busy_cpu : pixels_of_gpu(items_of_unit * units())},
                       options_.band);
         const std::int64_t pixels = std::int64_t{rows_per_band(scene, limits)} * scene.width;
-        // Allocated on the heap, so that it can be abandoned while a device that hangs still uses it.
+        // The executor is allocated on the heap, so that it can be abandoned while a device that hangs still uses it.
         auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels,
                                                              bytes_alone(image, options_));
         double build_seconds = 0;
@@ -122,7 +122,8 @@ constexpr const char* peak_text =
 #include "peak.txt"
     ;
 
-// Work items per compute unit: on a GPU enough to fill it with threads, on a CPU enough to keep all cores busy.
+// Work items per compute unit that measure the multiply-add peak: on a GPU enough to fill the unit with threads, on a
+// CPU enough to keep all cores busy.
 constexpr std::size_t items_per_gpu_unit = 2048;
 constexpr std::size_t items_per_cpu_unit = 16;
 

@@ -8,7 +8,7 @@ union Reals {
     scalar of[MM_LANES];
 };
 
-// Each item begins with a different value and stores its result, so that the compiler cannot remove its chain.
+// Each item begins with a different value and stores its result, so that the compiler cannot remove the chains.
 __kernel void multiply_adds(__global scalar* sums, scalar a, scalar b, int rounds)
 {
     real x = (real)((scalar)get_global_id(0)) * R(1.0e-6);

@@ -171,7 +171,7 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
     ended[1].size = 0;
     Lanes lanes;
     lanes.taken = 0;
-    // Lanes that never receive a ray hold zeros, with which they do not march.
+    // Lanes that never receive a ray hold zeros, for which marching() returns false.
     for (int field = 0; field < 9; ++field) lanes.reals[field].all = 0;
     for (int field = 0; field < 3; ++field) lanes.wholes[field].all = 0;
     const uint all = (uint)((1ul << MM_LANES) - 1);
@@ -191,8 +191,8 @@ FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
         free = all & ~marches;
         leave(&lanes, free & lanes.taken, stopped(*scene, ray), ended);
         lanes.taken &= marches;
-        // One call in the code shades both lists, and at the strip's end their last rays, so that shading is compiled
-        // only once.
+        // This is the only call that shades. It serves both lists and, at the end of the strip, their last rays, so
+        // that shading is compiled only once.
         int enough = lanes.taken == 0 && !rays_wait(strip, &queue) ? 1 : MM_LANES;
         for (int list = 0; list < 2; ++list) {
             while (ended[list].size >= enough) shade_last(scene, ended + list, target);

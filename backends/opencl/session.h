@@ -55,7 +55,7 @@ public:
 private:
     void give_back()
     {
-        // The C function does not throw.
+        // Uses the C function, because a destructor must not throw.
         if (mapped_ != nullptr) clEnqueueUnmapMemObject(queue_(), pinned_.buffer(), mapped_, 0, nullptr, nullptr);
         mapped_ = nullptr;
     }
@@ -80,7 +80,8 @@ struct Session {
     std::int64_t largest_buffer = 0;  // bytes
 };
 
-// Returns the program for a fractal, which is generated from kernel.cl (CMakeLists.txt); nullptr if there is none.
+// Returns the source text of the program for a fractal, generated from kernel.cl (CMakeLists.txt); nullptr if there is
+// none.
 const std::string_view* program_text(std::string_view fractal);
 
 // Returns the run time of a kernel in seconds, by the device's clock; nullopt if the device has no clock.
@@ -88,7 +89,7 @@ inline std::optional<double> device_seconds(const cl::Event& done)
 {
     cl_ulong begin = 0;
     cl_ulong end = 0;
-    // The C function does not throw: a missing clock is not an error.
+    // Uses the C function, which does not throw, because a missing clock is not an error.
     const auto ask = [&](cl_profiling_info when, cl_ulong& time) {
         return clGetEventProfilingInfo(done(), when, sizeof(time), &time, nullptr) == CL_SUCCESS;
     };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders a strip of pixels in vectors, block by block.
 
-// Height of a strip, and width of a block of MM_LANES pixels, which is as square as possible; in pixels.
+// MM_STRIP is the height of a strip, in pixels. MM_WIDTH and MM_HEIGHT are the sides of a block of MM_LANES pixels,
+// which is as square as possible.
 #define MM_STRIP 16
 #if MM_LANES == 32
 #define MM_WIDTH 8
@@ -49,8 +50,8 @@ FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
     }
 }
 
-// A block of pixels, at least one of which is in the strip: their positions for the camera, and their indices in a
-// plane. Pixels outside the strip have index -1.
+// A block of pixels, at least one of which is in the strip. i and j are the pixels' columns and rows in the picture.
+// `at` has their indices in a plane, and -1 for pixels outside the strip.
 struct Block {
     union Reals i;
     union Reals j;

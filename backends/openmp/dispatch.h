@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// MM_DISPATCH(name, targets): the function of HWY_EXPORT(name) for the best instruction set in `targets`.
-// HWY_DYNAMIC_DISPATCH is not used, because its choice is the same for the whole process.
+// MM_DISPATCH(name, targets) is the function that HWY_EXPORT(name) exports for the best instruction set in `targets`.
+// Highway's HWY_DYNAMIC_DISPATCH is not used, because it chooses one instruction set for the whole process.
 #pragma once
 
 #include <cstddef>

@@ -71,7 +71,7 @@ public:
 
     bool marching(const Band&) override { return false; }
 
-    // Bytes are already in the image; planes are converted to the image's values.
+    // Converts the planes to the image's values. If the image has only bytes, run() has already stored them.
     void read_back(const Band& band, Image& image) override
     {
         if (!image.has_values()) return;
@@ -137,8 +137,8 @@ double kibibytes(const std::string& text)
     }
 }
 
-// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE makes the threads' stacks too small for packs of rays, which
-// would crash the program.
+// Throws InputError if OMP_STACKSIZE or GOMP_STACKSIZE makes the threads' stacks too small for packs of rays. Without
+// this check, the program would crash.
 void check_stack_size()
 {
     for (const VariableName name : {VariableName("OMP_STACKSIZE"), VariableName("GOMP_STACKSIZE")}) {
@@ -213,7 +213,8 @@ private:
     std::tuple<LatticeBuffers<float>, LatticeBuffers<double>> notes_;
 };
 
-// Returns the operations per second of `threads` threads together; 0 threads: usable_threads().
+// Returns the multiply-add peak of `threads` threads together, in operations per second. If `threads` is 0, uses
+// usable_threads().
 double measured_peak(Precision precision, int threads)
 {
     const PeakKernel kernel =

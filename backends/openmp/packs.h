@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body of every packs_*.cpp, included once per instruction set; defines that set's variants. The including file
-// defines MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE.
+// The body of every packs_*.cpp, included once per instruction set. Defines the variants for the instruction set. The
+// including file defines MM_REAL, MM_REAL_IS_FLOAT, MM_FAST and MM_FRACTAL_FILE.
 //
 // Like the kernel source, the files of packs/ have no include guards: packs/kernel.h includes them in order, several
 // times, each time in another namespace and for another kind of pack.
 
-// Forces a lambda to be inlined; its call would cost more than its body.
+// Forces a lambda to be inlined, because a call would cost more than the lambda's body.
 #undef MM_INLINED
 #define MM_INLINED __attribute__((always_inline)) HWY_ATTR
 

@@ -68,7 +68,7 @@ public:
     // Returns the lattices of the picture, in rendering order.
     const Lattices& lattices() const { return lattices_; }
 
-    // Returns the canvas of one lattice of a band. Finish all lattices of a band before the next band begins.
+    // Returns the canvas of one lattice of a band. All lattices of a band must be finished before the next band begins.
     Canvas<Real> canvas(const Lattice& lattice, const Band& band, const Target<Real>& target)
     {
         notes_.fit(scene_.width, band.rows, shares_);

@@ -10,8 +10,9 @@
 namespace mandelmarch::openmp {
 
 // Binds the calling thread to the cores of its OpenMP place, as OpenMP binds the other threads of its team to theirs.
-// The destructor restores the thread's affinity. Needed because the programs undo OpenMP's binding of their first
-// thread when they start (restore_affinity()), so that this thread's other work and its child processes are not
+// The destructor restores the thread's affinity. This class is needed, because the programs undo OpenMP's binding of
+// their first thread when they start (restore_affinity()), so that this thread's other work and its child processes are
+// not
 // bound.
 class OwnPlace {
 public:

@@ -35,7 +35,7 @@ public:
             variant_.profile(picture_.kernel_scene(), canvas, tiles, profile_memory, &now, seconds.of.data());
         });
         // Renders the picture a second time without a clock, into another image, so that `image` keeps the profiled
-        // one.
+        // picture.
         Image whole(image.width(), image.height(), Image::Layers::bytes);
         void* const memory = memory_.of_size(variant_.memory);
         const double start = now();
@@ -47,8 +47,8 @@ public:
     }
 
 private:
-    // Calls draw() for each lattice of each band. The bands are the renderer's, because the start of rays near a band's
-    // edge depends on where the edge is.
+    // Calls draw() for each lattice of each band. The bands are the same as those of the renderer, because the start of
+    // rays near a band's edge depends on where the edge is.
     template <class Draw>
     void each_lattice(Image& image, Draw draw)
     {

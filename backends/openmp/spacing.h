@@ -27,8 +27,8 @@ auto spacing_of(const KernelScene& scene) -> decltype(scene.tolerance + 0)
                           length_of(scene.upward) / static_cast<Real>(scene.height));
 }
 
-// Returns the lattices of a picture. The pixels of the coarsest lattice are so close together that the rays of the
-// pixels between them can begin near their hits (neighbour_pitch).
+// Returns the lattices of a picture. The pixels of the coarsest lattice are so close together that rays of the pixels
+// in between can begin near the lattice's hits (neighbour_pitch).
 template <class KernelScene>
 Lattices lattices_of(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {
@@ -50,8 +50,8 @@ bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Te
     return techniques.shared_occlusion && scene.smooth && scene.colouring > 1 && spacing_of(kernel) < nearest_openness;
 }
 
-// Returns true if subtiles begin with cones. A cone ends at a distance of several of its widths from the
-// surface. If a pixel is many tolerances wide, the cone can end at once, and is not worth its time.
+// Returns true if subtiles begin with cones. A cone ends several of its widths in front of the surface. If a pixel is
+// many tolerances wide, a cone can end as soon as it begins, and then costs more time than it saves.
 template <class KernelScene>
 bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Techniques& techniques)
 {
@@ -59,8 +59,9 @@ bool cones_pay(const KernelScene& scene, const Fractal& fractal, const Technique
 }
 
 // Returns the size of an enlarged hull for subtiles; 0 if the scene has no hull. If any ray of a subtile meets the
-// scene's hull, the subtile's centre ray meets the enlarged one. Rays leave the scene's hull at most at the distance
-// `farthest`, where each ray of a subtile is at most half the subtile's diagonal away from the centre ray.
+// scene's hull, the subtile's centre ray meets the enlarged one. Rays leave the scene's hull no farther than `farthest`
+// from the eye. At that distance, each ray of a subtile is at most half the subtile's diagonal away from the centre
+// ray.
 template <class KernelScene>
 auto block_hull_of(const KernelScene& scene, const Fractal& fractal) -> decltype(scene.tolerance + 0)
 {

@@ -40,7 +40,7 @@ private:
 };
 
 // The tiles of a band. They are assigned to threads row by row from the bottom left, `chunk` at a time. After a
-// cancellation no more are assigned.
+// cancellation no more tiles are assigned.
 class TileQueue {
 public:
     TileQueue(int width, const Band& band, int chunk, const Progress* progress = nullptr)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variant: the kernel compiled for one fractal, precision, mode, instruction set and pack width; and what variants
-// share. Contains plain data only, because translation units for different instruction sets include it.
+// A variant: the kernel compiled for one fractal, precision, mode, instruction set and pack width. This file also has
+// the types that variants share. The file contains plain data only, because translation units for different instruction
+// sets include it.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ inline constexpr int stages = 6;
 
 // Fast mode renders the pixels of a picture in up to three lattices: first the pixels whose column and row are
 // multiples of 4, then those whose column and row are multiples of 2, then all others. A later ray begins near the hits
-// of the pixels around it that are already rendered (core/kernel/march.h, neighbour_start()).
+// of the pixels around it that are already rendered (neighbour_start() in core/kernel/stepping.h).
 
 // The pixels whose column and row are multiples of `apart` (1, 2 or 4), without those whose column and row are
 // multiples of `before`, which are already rendered. `before` is 0 in the first lattice.
@@ -68,8 +69,8 @@ struct Canvas {
     Lattice lattice;        // pixels to render, counted from first_row
     Real* block_start;      // for each subtile, a t before which none of its rays hits
     Real* neighbour_depth;  // depths of the pixels in even columns and rows, at half the pixel's index
-    // Occlusion at the hits of the same pixels, at the same indices; the pixels between them share it. null: not
-    // shared.
+    // Occlusion at the hits of the same pixels, at the same indices. The pixels in between share this occlusion. null:
+    // not shared.
     Real* along_normal;
     Real* sunwards;
     Real* reals;
@@ -121,7 +122,8 @@ struct VariantList {
 };
 
 // Measures the multiply-add peak for one instruction set (peak_packs.cpp.in). `run` executes `rounds` iterations of
-// multiply_add_chains on one thread and returns their result, so that the compiler cannot remove them.
+// multiply_add_chains on one thread and returns their result, because the compiler would otherwise remove the
+// iterations.
 struct PeakKernel {
     int lanes;
     double (*run)(int rounds);

@@ -20,9 +20,9 @@ std::int64_t instructions();
 // Returns the usual name of an instruction set for Highway's name: for example, AVX-512 for AVX3.
 std::string usual_name(std::string_view highway);
 
-// Return the definition for variant_name() in the sources generated from scalar.cpp.in and packs.cpp.in: the scalar
-// variant, and the function that lists the variants in packs. Return nullptr if there is none. cmake/Kernels.cmake
-// generates these functions.
+// Functions that find a definition by its variant_name(): scalar_variant() the scalar variant (scalar.cpp.in),
+// pack_variants() the function that lists the variants in packs (packs.cpp.in). They return nullptr if the name is
+// unknown. cmake/Kernels.cmake generates them.
 template <class Real>
 const Variant<Real>* scalar_variant(std::string_view name);
 template <class Real>

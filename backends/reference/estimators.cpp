@@ -52,8 +52,8 @@ Mandelbulb::Mandelbulb(const Scene& scene)
 {
 }
 
-// Returns the max stretch of lengths along a circle of latitude by the power map, relative to that of lengths along the
-// radius; 1 for the original estimate.
+// Returns the factor by which z -> z^P stretches lengths along a circle of latitude more than lengths along the radius.
+// The factor is approximate and at least 1; for the original estimate it is 1.
 double Mandelbulb::stretch(Vector z, double r) const
 {
     if (!(envelope_ > 0)) return 1;

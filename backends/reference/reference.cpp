@@ -24,9 +24,9 @@ constexpr double step_factor = 0.95;  // step length as a fraction of the estima
 // too large.
 constexpr double small_stride = 0.15;
 constexpr int most_small_steps = 200'000;
-// Max half distance between the two points from whose estimates a component of a normal is computed, as a fraction of
-// the tolerance. A larger distance would blur the relief of a canonical picture, whose details are about as large as
-// the tolerance or smaller.
+// Max of half the distance between the two points of a central difference, as a fraction of the tolerance. A component
+// of a normal is the difference of the estimates at these points. A larger distance would blur the relief of a
+// canonical picture, whose details are about as large as the tolerance or smaller.
 constexpr double difference_share = 1e-3;
 
 struct Axes {
@@ -122,7 +122,7 @@ private:
     }
 
     // Returns the first t with DE(t) = eps t. Marches by small steps to a sample with DE(t) < eps t, then bisects until
-    // no number is left in between.
+    // no floating-point number is left between the two ends.
     Hit canonical_hit(Vector direction)
     {
         const auto outside = [&](double t, double distance) { return !(distance < eps_ * t); };

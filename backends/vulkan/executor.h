@@ -15,7 +15,7 @@
 
 namespace mandelmarch::vulkan {
 
-// Must be the same as in kernel.comp.
+// The following constants must be the same as in kernel.comp.
 inline constexpr int group_side = 8;
 enum Stage : int {
     stage_begin = 1,
@@ -43,10 +43,11 @@ constexpr vk::DeviceSize ray_size(vk::DeviceSize real) { return 12 * real; }
 static_assert(sizeof(layout_f32::Ray) == ray_size(4) && sizeof(layout_f32::Hit) == ray_size(4));
 static_assert(sizeof(layout_f64::Ray) == 88 && sizeof(layout_f64::Hit) == 88);  // without the padding
 
-// Max number of loop iterations of an invocation in one pass. lavapipe silently ends loops after 65,535 iterations; it
-// sums them over all loops, and also counts one for each loop in a branch that is not taken. On other devices a
-// watchdog may end passes that take several seconds; their limits correspond to about a tenth of a second for a warp on
-// a slow GPU, on which double may be 32 times slower than float. kernel.comp detects a device that ends loops earlier.
+// Max number of loop iterations of an invocation in one pass. lavapipe silently ends an invocation's loops after 65,535
+// iterations of all loops together. It also counts one iteration for each loop in a branch that is not taken. On other
+// devices a watchdog may end passes that take several seconds; their limits correspond to about a tenth of a second for
+// a warp on a slow GPU, on which double may be 32 times slower than float. kernel.comp detects a device that ends loops
+// earlier.
 inline constexpr std::int64_t counted_loops = 65'000;
 inline constexpr std::int64_t watched_loops_float = 1 << 18;
 inline constexpr std::int64_t watched_loops_double = 1 << 15;
@@ -82,7 +83,8 @@ public:
     {
         if (entry == Entry::begin || entry == Entry::draw)
             gpu_.commands().fillBuffer(*results().handle, 0, flags_size, 0);
-        // A ray begins in the first pass that marches it, and its stop is processed in the pass after its last march.
+        // `begin` has no pass of its own: the first pass that marches rays also begins them. The first pass after
+        // marching also processes their stops.
         if (entry == Entry::begin) {
             begins_ = stage_begin;
             stops_ = stage_stop;
@@ -184,8 +186,8 @@ private:
                                  groups(scene_.width, group_side), groups(band.rows, group_side));
     }
 
-    // Copies the first bytes of the results to memory that the host can read. Returns their address there; the bytes
-    // are valid after the device has finished.
+    // Copies the first bytes of the results to memory that the host can read. Returns the address of the copy, which is
+    // valid after the device has finished.
     const std::byte* fetch(vk::DeviceSize size)
     {
         const bool mirrored = results().bytes == nullptr;

@@ -21,7 +21,7 @@ struct Buffer {
 
 enum class Place { device, host };
 
-// How long finished work took, in seconds.
+// Durations of finished work, in seconds.
 struct Took {
     double host = 0;                    // from the submission until the host detects the end
     std::optional<double> device = {};  // by the device's clock; nullopt if it has none

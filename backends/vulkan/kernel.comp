@@ -43,7 +43,7 @@ layout(push_constant) uniform Pass
 {
     int first_row;
     int rows;
-    int steps;   // max steps of marching, or max refinements in a pass without marching
+    int steps;   // max steps of marching; in a pass without marching: max refinements
     int pixels;  // values per plane of the results
 } pass;
 
@@ -60,8 +60,8 @@ const int cut_off = 1 << 30;
 
 // Returns `steps`, or cut_off if the device has ended a loop of this invocation early. lavapipe limits the sum of the
 // iterations of all loops of an invocation. When the limit is reached, the invocation leaves the current loop,
-// continues after it, and gets one iteration in each later loop. This function's loop needs two iterations, and so
-// detects this. Its bounds come from a buffer, so that no compiler removes the loop.
+// continues after it, and gets one iteration in each later loop. This function's loop needs two iterations, so if it
+// gets only one, an earlier loop was cut off. Its bounds come from a buffer, so that no compiler removes the loop.
 int steps_or_cut_off(int steps)
 {
     int round = whole_scene.max_steps - 2;

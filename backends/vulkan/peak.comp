@@ -12,7 +12,7 @@ layout(std430, binding = 1) readonly buffer Given { real given[]; };
 
 layout(push_constant) uniform Pass { int rounds; } pass;
 
-// Each invocation begins with a different value and stores its result, so that the compiler cannot remove its chain.
+// Each invocation begins with a different value and stores its result, so that the compiler cannot remove the chains.
 void main()
 {
     int i = int(gl_GlobalInvocationID.x);

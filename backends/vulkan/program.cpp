@@ -38,7 +38,8 @@ std::string cache_folder()
     return {};
 }
 
-// Returns true for a regular file or none; false for pipes and other kinds, on which reading would block.
+// Returns true if the path is a regular file or does not exist; false for pipes and other kinds of files, from which
+// reading could block.
 bool may_hold_cache(const std::string& path)
 {
     std::error_code ignored;

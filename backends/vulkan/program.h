@@ -22,9 +22,10 @@ using Module = std::span<const std::uint32_t>;
 // Returns a module; empty if no module has this name.
 Module module_named(std::string_view name);
 
-// The pipelines of one module that a device's driver has compiled, stored for later runs in $XDG_CACHE_HOME/mandelmarch
-// or ~/.cache/mandelmarch. A file that is truncated, modified or from another driver is ignored and rewritten. If the
-// folder is not writable, or the path is not a regular file, nothing is stored, and no error is reported.
+// The pipelines of one module, as compiled by a device's driver. For later runs they are stored in a file in
+// $XDG_CACHE_HOME/mandelmarch or ~/.cache/mandelmarch. A file that is truncated, modified or from another driver is
+// ignored and rewritten. If the folder is not writable, or the path is not a regular file, nothing is stored, and no
+// error is reported.
 class PipelineCache {
 public:
     PipelineCache(const Gpu& gpu, Module module);

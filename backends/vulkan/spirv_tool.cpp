@@ -3,7 +3,7 @@
 //   decorate IN OUT      decorates every floating-point operation with NoContraction, which forbids fused multiply-add
 //                        and algebraic optimisation. (GLSL's `precise` would not reach operations in called functions.)
 //   check IN...          returns exit code 1 if an operation lacks the decoration
-//   embed OUT.cpp IN...  writes the modules as a C++ table. A module's name there is the stem of its file name.
+//   embed OUT.cpp IN...  writes the modules as a C++ table. In the table, a module's name is the stem of its file name.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

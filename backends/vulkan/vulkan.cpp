@@ -178,7 +178,8 @@ private:
 };
 
 constexpr int group = 64;  // invocations per work group, as in peak.comp
-// Number of invocations: on a GPU several for each lane of the largest GPUs, on a CPU enough to keep all cores busy.
+// Number of invocations that measure the multiply-add peak: on a GPU several for each lane of the largest GPUs, on a
+// CPU enough to keep all cores busy.
 constexpr int gpu_items = 1 << 21;
 constexpr int cpu_items = 1 << 12;
 // Loop iterations of an invocation in one pass. Limited, because a watchdog may end a GPU's pass after several seconds.

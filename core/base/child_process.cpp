@@ -35,7 +35,8 @@ void confine(pid_t parent)
     setrlimit(RLIMIT_CORE, &core);
 }
 
-// Runs in the child, which may call async-signal-safe functions only. Returns if the program does not start.
+// Replaces the calling process, a forked child, by the program. Calls only async-signal-safe functions. Returns only if
+// the program does not start.
 void become(const ChildSetup& setup, char* const* words)
 {
     std::signal(SIGPIPE, SIG_DFL);  // this project's programs ignore it, and the child inherits that
@@ -60,7 +61,8 @@ pid_t started(ChildSetup& setup)
     words.push_back(nullptr);
     auto [failed, fails] = make_pipe();  // a successful exec closes `fails`
     const pid_t parent = getpid();
-    // Not posix_spawn: its child shares this process's memory at first, and would count it in its peak resident set.
+    // Does not use posix_spawn(), because its child at first shares this process's memory, and that memory would count
+    // in the child's peak resident set.
     const pid_t child = fork();
     if (child == 0) {
         if (setup.confined) confine(parent);
@@ -143,7 +145,8 @@ bool ChildProcess::ends_within(double seconds)
         }
         const double left = seconds - seconds_since(start);
         if (left <= 0) return false;
-        // A system call, because glibc 2.36 declares pidfd_open() for C only. If it fails, polls every millisecond.
+        // Uses a system call, because glibc 2.36 declares pidfd_open() for C only. If the call fails, checks every
+        // millisecond.
         if (end.number() < 0) end = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, id_, 0)));
         pollfd wanted{.fd = end.number(), .events = POLLIN, .revents = 0};
         poll(&wanted, 1, end.number() < 0 ? 1 : static_cast<int>(std::ceil(std::min(1e3 * left, 1e9))));

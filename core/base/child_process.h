@@ -33,7 +33,7 @@ private:
     Descriptor descriptor_;
 };
 
-// The caller keeps ownership of the descriptors.
+// The program to start as a child process, and its settings. The caller keeps ownership of the descriptors.
 struct ChildSetup {
     std::vector<std::string> words;  // name and arguments: argv
     std::string program = {};        // executable file; empty: words[0], searched in PATH
@@ -41,8 +41,8 @@ struct ChildSetup {
     int input = -1;                  // stdin; -1: /dev/null
     int output = -1;                 // stdout; -1: /dev/null
     int errors = -1;                 // stderr; -1: the caller's
-    // When the child ends, kills the processes that it has left running. When the calling thread ends, kills the child.
-    // Limits files to 1 GiB and disables core dumps.
+    // If true, the processes that the child has left running are killed when it ends. The child is killed when the
+    // calling thread ends. Its files are limited to 1 GiB, and it writes no core dumps.
     bool confined = false;
 };
 

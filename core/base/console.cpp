@@ -11,8 +11,8 @@
 namespace mandelmarch {
 namespace {
 
-// Handles a failed write to stdout. Throws Error unless the cause is a closed pipe: a reader such as `| head -1` has
-// then read what it needs, and the exit code does not change.
+// Handles a failed write to stdout. Throws Error unless the cause is a closed pipe. A reader that closes the pipe, such
+// as `| head -1`, has read all that it needs, so the program has not failed.
 void refuse_unless_unread(int cause)
 {
     if (cause != EPIPE) {

@@ -41,8 +41,8 @@ std::uint64_t number_in(const std::string& path)
     return file >> value ? value : no_limit;
 }
 
-// Returns the path of the process's group. `controller`: a controller of cgroups version 1; empty: the group of
-// version 2.
+// Returns the path of the process's group for a controller of cgroups version 1. If `controller` is empty, returns the
+// path of its group in cgroups version 2.
 std::string group_of(const std::string& root, std::string_view controller)
 {
     std::ifstream file(root + "/proc/self/cgroup");
@@ -60,7 +60,7 @@ std::string group_of(const std::string& root, std::string_view controller)
 }
 
 // Returns the folders of the process's group and of its parent groups; the root group is last. In a container, the root
-// group may be the process's own.
+// group may be the process's own group.
 std::vector<std::string> folders(const std::string& root, std::string_view controller)
 {
     const std::string groups = root + "/sys/fs/cgroup";

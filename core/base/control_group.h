@@ -13,11 +13,13 @@ namespace mandelmarch {
 
 inline constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
-// Returns how many bytes of memory are left: the min over the group and its parent groups; no_limit if none has a
-// limit. Page cache charged to a group counts as free, because the operating system reclaims it on demand.
+// Returns the number of bytes of memory that are left: the min over the process's group and its parent groups; no_limit
+// if no group has a limit. Page cache charged to a group counts as free, because the operating system reclaims it on
+// demand.
 std::uint64_t memory_left_in_groups(const std::string& root = {});
 
-// Returns the min quota of the group and its parent groups, in seconds of processor time per second: 1.5 allows one
+// Returns the min quota of the process's group and its parent groups, in seconds of processor time per second: 1.5
+// allows one
 // and a half cores. Returns nullopt if there is no quota.
 std::optional<double> processor_quota(const std::string& root = {});
 

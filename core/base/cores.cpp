@@ -21,8 +21,8 @@
 namespace mandelmarch {
 namespace {
 
-// The affinity that the process started with, one bit per core. It is recorded once, before the constructors of shared
-// libraries and main(), because the constructor of OpenMP's library binds the first thread.
+// The affinity that the process started with, one bit per core. It is recorded before main() and before the
+// constructors of shared libraries run, because the constructor of OpenMP's library binds the first thread to a core.
 struct Mask {
     unsigned long bits[128] = {};  // room for 8192 cores
     long bytes = 0;                // number of bytes that the operating system wrote; 0 or less: unknown

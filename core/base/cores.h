@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Number of cores available to this process, and its affinity.
+// Number of cores available to this process, and the process's affinity.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,8 @@ Cores cores(const std::string& root = {});
 // Returns cores().threads().
 int usable_threads();
 
-// Returns the setting by which OpenMP binds its threads, such as "OMP_PROC_BIND=true"; "" if it does not bind them.
+// Returns the setting by which OpenMP binds its threads to cores, such as "OMP_PROC_BIND=true"; "" if it does not bind
+// them.
 std::string binding();
 
 // Limits the threads of a driver that by default runs on all cores of the machine. If this process may use fewer cores,

@@ -25,7 +25,8 @@ struct Cpu {
     std::vector<std::string> flags;    // Linux's names, sorted
     std::vector<std::string> vectors;  // the vector extensions among the flags, in Linux's order
 
-    // Returns the name with family and model, which differs between designs: "AMD EPYC (family 25 model 17)".
+    // Returns the name with family and model, as in "AMD EPYC (family 25 model 17)". CPUs of different designs have
+    // different results. If family or model is unknown, returns the name alone.
     std::string platform() const;
 };
 

@@ -9,9 +9,9 @@
 
 namespace mandelmarch {
 
-// Variables with one purpose.
+// A row of the table: variables with the same purpose.
 struct Variables {
-    std::array<const char*, 3> names;  // followed by null pointers
+    std::array<const char*, 3> names;  // unused elements are null
     std::string_view readers;
     std::string_view meaning;
     bool recorded = false;  // bench stores the value in its results

@@ -23,12 +23,13 @@ namespace mandelmarch {
 namespace {
 
 // Opens /dev/null in place of each standard descriptor that is closed, so that no file opened later receives its
-// number. Uses the wrong access mode, so that reads from stdin and writes to stdout and stderr still fail.
+// number. Opens it with the wrong access mode on purpose, so that reads from stdin and writes to stdout and stderr
+// still fail.
 void hold_standard_descriptors()
 {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-        // open() uses the lowest free number, which is this one.
+        // open() uses the lowest free number, which is `descriptor`.
         static_cast<void>(open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
     }
 }
@@ -52,7 +53,7 @@ int run_program(const char* program, const std::function<int(int, char**)>& body
 {
     hold_standard_descriptors();
     restore_affinity();
-    // Writes to closed pipes or beyond a file size limit then return errors instead of raising signals.
+    // While these signals are ignored, writes to closed pipes or beyond a file size limit return errors.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const auto complain = [&](const std::exception& error) { say("{}: {}\n", program, printable(error.what())); };

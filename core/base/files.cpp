@@ -83,7 +83,7 @@ std::string end_of_links(const std::string& path)
         if (in_proc(at.string())) return at.string();
         const fs::path next = fs::read_symlink(at, error);
         if (error) return at.string();  // not a link
-        at = at.parent_path() / next;   // an absolute path replaces it
+        at = at.parent_path() / next;   // if `next` is absolute, the result is `next`
     }
     throw InputError(fmt::format("{}: {}, expected a file", path, std::strerror(ELOOP)));
 }

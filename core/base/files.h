@@ -13,7 +13,8 @@ namespace mandelmarch {
 // because such a name refers to a file that is already open. Throws InputError if the links are circular.
 std::string end_of_links(const std::string& path);
 
-// Returns true if the name is in a folder of /proc. It then refers to a virtual file or to one that is already open.
+// Returns true if the name is in a folder of /proc. Such a name refers to a virtual file or to a file that is already
+// open.
 bool in_proc(const std::string& path);
 
 // Returns the paths of a folder's entries, sorted; empty if the folder cannot be read.

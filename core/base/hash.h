@@ -9,7 +9,8 @@ namespace mandelmarch {
 
 inline constexpr std::uint64_t fnv1a_start = 0xcbf29ce484222325;
 
-// Returns the hash of the bytes; or, given the hash of earlier bytes, the hash of all of them.
+// Returns the hash of the bytes. If `hash` is the hash of earlier bytes, returns the hash of the earlier bytes followed
+// by these.
 inline std::uint64_t fnv1a(const void* data, std::size_t size, std::uint64_t hash = fnv1a_start)
 {
     const auto* bytes = static_cast<const unsigned char*>(data);

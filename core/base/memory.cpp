@@ -13,7 +13,7 @@
 namespace mandelmarch {
 namespace {
 
-// Reads a file with lines of the form `key number kB`. Returns the number after `key` in bytes; no_limit if it is
+// Reads a file with lines of the form `key number kB`. Returns the number after `key` in bytes; no_limit if the key is
 // absent.
 std::uint64_t bytes_after(const std::string& path, const std::string& key)
 {

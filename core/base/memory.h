@@ -8,8 +8,8 @@
 namespace mandelmarch {
 
 // Returns the bytes that this process can still allocate: the min of the system's available memory, the memory left by
-// the control groups (core/base/control_group.h), and the address space left by RLIMIT_AS. `root` is the folder used as
-// /.
+// the control groups (core/base/control_group.h), and the address space left by RLIMIT_AS. `root` is the folder to use
+// in place of /, so that tests can supply files.
 std::uint64_t available_memory(const std::string& root = {});
 
 // Returns "`what` need N MiB of memory and M MiB are available" if `needed` bytes are not available, else "".

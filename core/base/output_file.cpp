@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns N if the path refers to this process's descriptor N, such as /dev/stdout and /dev/fd/N; otherwise nullopt.
+// Returns N if the path refers to this process's descriptor N, as /dev/stdout and /dev/fd/N do; otherwise nullopt.
 std::optional<int> own_descriptor(const std::string& path)
 {
     const std::string end = end_of_links(path);

@@ -12,9 +12,9 @@
 
 namespace mandelmarch {
 
-// Writes to a temporary file next to the target, which commit() renames to the target. A stream (see is_stream) is
-// written directly. If the path is a symbolic link, the link is kept, and the file that it refers to is replaced or
-// created. Errors are thrown as Error, with the path and the cause.
+// Writes to a temporary file next to the target. commit() renames the temporary file to the target. A stream (see
+// is_stream) is written directly. If the path is a symbolic link, the link is kept, and the file that it refers to is
+// replaced or created. Errors are thrown as Error, with the path and the cause.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);
@@ -27,13 +27,13 @@ public:
     void seek(std::uint64_t offset);
     void commit();
 
-    // Throws InputError if the target certainly cannot be written, such as a folder, or a file in a folder that is
+    // Throws InputError if the target certainly cannot be written: for example, if it is a folder, or if its folder is
     // missing or not writable. Changes nothing.
     static void check(const std::string& path);
 
-    // Returns true if the target exists and is neither a regular file nor a folder, such as a device or a pipe. Also
-    // returns true if its name is in /proc, such as /dev/stdout, /dev/stderr and /dev/fd/N, which are links into /proc.
-    // A file with such a name is written directly even if it is a regular file, as by a shell.
+    // Returns true if the path refers to a device, a pipe, or another existing object that is neither a regular file
+    // nor a folder. Also returns true if the path is in /proc or a link to there, as /dev/stdout, /dev/stderr and
+    // /dev/fd/N are. Like a shell, OutputFile then writes to the file directly, even if it is a regular file.
     static bool is_stream(const std::string& path);
 
 private:

@@ -24,7 +24,7 @@ constexpr pid_t nobody = 0;
 constexpr pid_t in_change = -1;
 
 struct Name {
-    std::atomic<pid_t> owner = nobody;  // the process that removes the file; one forked from it must not
+    std::atomic<pid_t> owner = nobody;  // the process that removes the file; a process forked from it must not
     std::array<char, PATH_MAX> path;
 };
 

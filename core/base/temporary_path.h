@@ -10,14 +10,14 @@
 namespace mandelmarch {
 
 // The path of a temporary file. The destructor removes the file unless it was renamed. SIGINT, SIGTERM and SIGHUP
-// also remove the file, and then end the process as usual. A signal that was ignored or had a handler keeps that
-// setting, and does not remove the file.
+// also remove the file, and then end the process as usual. If one of these signals was already ignored or had a
+// handler, this setting is kept, and the signal does not remove the file.
 class TemporaryPath {
 public:
     // Takes the path of a file that other code creates.
     explicit TemporaryPath(std::string path);
-    // Creates an empty file, named `prefix` and eight characters, and opens it for writing. Throws Error with name and
-    // cause.
+    // Creates an empty file, whose name is `prefix` and eight more characters, and opens it as `descriptor`. Throws
+    // Error with the name and the cause.
     TemporaryPath(const std::string& prefix, int& descriptor);
     ~TemporaryPath();
     TemporaryPath(const TemporaryPath&) = delete;
@@ -25,12 +25,13 @@ public:
 
     const std::string& path() const { return path_; }
 
-    // Renames the file to `target`, and replaces a file of that name. If this fails, returns false and sets errno.
+    // Renames the file to `target`. If a file of that name exists, replaces it. Returns false and sets errno if
+    // renaming fails.
     bool rename_to(const std::string& target);
 
 private:
     std::string path_;  // empty after renaming
-    pid_t owner_;       // the process that removes the file; one forked from it must not
+    pid_t owner_;       // the process that removes the file; a process forked from it must not
     std::size_t slot_;  // index of the path in the signal handler's list
 };
 

@@ -8,8 +8,8 @@
 namespace mandelmarch {
 namespace {
 
-// Returns the length in bytes of the UTF-8 character at the beginning of `text`; 0 if there is none or it is a control
-// character from U+0080 to U+009F.
+// Returns the length in bytes of the UTF-8 character at the beginning of `text`; 0 if the text begins with no such
+// character, or with a control character from U+0080 to U+009F.
 std::size_t utf8_length(std::string_view text)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text from outside the program: makes it printable, and checks it before it is parsed.
+// Functions for text from outside the program: one makes it printable, one checks it before it is parsed.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ std::string printable(std::string_view text, std::size_t most = longest_message)
 
 inline constexpr std::size_t deepest_json = 64;
 
-// Throws InputError if the brackets of a JSON text are nested deeper than `deepest_json`, because JSON readers are
-// recursive. The message begins with `name`.
+// Throws InputError if the brackets of a JSON text are nested deeper than `deepest_json`. JSON readers are recursive,
+// so deeper texts could exhaust the stack. The message begins with `name`.
 void check_json_depth(std::string_view text, const std::string& name);
 
 }  // namespace mandelmarch

@@ -34,8 +34,8 @@ Comparison compare(const Image& a, const Image& b);
 // Returns the values of both pictures at the pixel with this index, as text for a message.
 std::string describe_pixel(const Image& a, const Image& b, std::int64_t index);
 
-// Returns a picture that is white where the bytes are equal, and darker for larger differences. A difference of one is
-// visible.
+// Returns a picture that is white where the bytes are equal, and darker for larger differences. Even a difference of 1
+// is visible.
 Image difference_map(const Image& a, const Image& b);
 
 }  // namespace mandelmarch

@@ -46,12 +46,13 @@ Planes<Real> planes_of(const Real* reals, const int* wholes, std::size_t pixels,
 // A picture. Rows go from bottom to top: pixel (x, y) has index y * width + x, and y = 0 is the bottom row.
 class Image {
 public:
-    // Values stored in addition to the three bytes: none; the colours that the bytes come from; or all of PixelValue.
+    // Values stored in addition to a pixel's three bytes: none; the colours that the bytes come from; or all of
+    // PixelValue.
     enum class Layers { bytes, colours, all };
 
     Image() = default;
     // Makes a black image, allocated from `memory`; copies of it use the heap. If the image is a part of a larger
-    // picture, `first_row` is the index of its row 0 there.
+    // picture, it begins at row `first_row` of that picture.
     Image(int width, int height, Layers layers, std::pmr::memory_resource* memory = std::pmr::get_default_resource(),
           int first_row = 0);
 
@@ -72,7 +73,7 @@ public:
     const std::pmr::vector<std::uint8_t>& bytes() const { return bytes_; }
     std::pmr::vector<std::uint8_t>& bytes() { return bytes_; }
 
-    // Returns the first byte of a row. `row` is counted in the larger picture.
+    // Returns the first byte of a row. `row` is an index in the larger picture.
     std::uint8_t* row_bytes(int row) { return bytes_.data() + 3 * pixels(width_, row - first_row_); }
 
     // Returns the values of all pixels; empty for Layers::bytes. With Layers::colours, depth, steps and iterations are
@@ -81,7 +82,7 @@ public:
     std::pmr::vector<PixelValue>& values() { return values_; }
 
     // Stores the planes' pixels (0, 0) to (width - 1, height - 1) into the image. Pixel (0, 0) of the planes becomes
-    // pixel (left, bottom); `bottom` is counted in the larger picture. A byte is trunc(255 c), computed in the planes'
+    // pixel (left, bottom); `bottom` is a row of the larger picture. A byte is trunc(255 c), computed in the planes'
     // precision. Several threads may store different parts of an image at the same time.
     template <class Real>
     void store(const Planes<Real>& planes, int left, int bottom, int width, int height);

@@ -50,7 +50,8 @@ void transfer(Archive& archive, ReportOrConst& report)
     archive(precision, mode, threads, simd_width, instruction_set, step_factor, unsettled, timings, work, kernels);
 }
 
-// Requests of a program to a device process. The comments list their arguments, and the results in the response.
+// Requests of a program to a device process. Each comment lists the arguments, then after the arrow the results in the
+// response.
 enum class Request : int {
     list,     // -> the reason why no device is available, or ""; the devices
     create,   // renderer number, options -> no results

@@ -23,11 +23,11 @@ namespace mandelmarch::isolation {
 namespace {
 
 // Longest time to wait for a message. It exceeds device_timeout(), because the device process applies that limit
-// itself, and then sends a more precise message.
+// itself, and sends a more precise message when the limit is exceeded.
 std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1 * device_timeout() + 1); }
 
 constexpr std::size_t most_said = 1 << 16;  // max bytes of the process's output that are kept until they are printed
-constexpr std::size_t last_words = 300;     // max bytes of its output that a message quotes
+constexpr std::size_t last_words = 300;     // max bytes of this output that an error message quotes
 
 constexpr VariableName log_variable = "MANDELMARCH_DRIVER_LOG";
 

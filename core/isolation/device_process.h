@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's side of a device process (worker.h is the other).
+// The program's side of the connection to a device process (worker.h is the device process's side).
 #pragma once
 
 #include <memory>
@@ -36,7 +36,7 @@ private:
     void log(std::string_view text);                    // appends to the file named by MANDELMARCH_DRIVER_LOG
     void repeat_said();                                 // prints the stored output to stderr
     std::string end(bool now = false);                  // ends the process; returns how it ended
-    bool told(const Progress& progress, double share);  // calls progress; false: it was cancelled, sent Request::cancel
+    bool told(const Progress& progress, double share);  // calls `progress`; returns false if it cancels
     [[noreturn]] void fail(Answer kind, Deserializer& answer, const char* doing);
 
     std::shared_ptr<const ForkServer> fork_server_;

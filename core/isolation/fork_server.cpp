@@ -23,7 +23,7 @@ namespace {
 
 using Task = std::function<void(Channel)>;
 
-constexpr double patience = 1;  // seconds that a process has to exit after its channel was closed
+constexpr double patience = 1;  // seconds within which a process must exit after its channel was closed
 
 [[noreturn]] void fail(const char* what)
 {
@@ -60,8 +60,8 @@ pid_t fork_tied()
     _exit(exit_success);
 }
 
-// Serves requests of the program. A message with the socket for a new process is followed by one with the pipe for its
-// output; any other message names the process to end.
+// Serves the program's requests. A request for a new process consists of two messages: one has the process's socket,
+// the other the pipe for its output. Any other message is a request to end the process that it names.
 [[noreturn]] void tend(const Task& work, const Channel& channel)
 {
     while (auto asked = channel.receive()) {

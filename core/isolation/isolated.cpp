@@ -18,7 +18,7 @@ namespace {
 
 using namespace isolation;
 
-// A device: the process that a renderer uses, if any, and the shared memory for the device's pictures.
+// A device: its process, if a renderer uses one, and the shared memory for its pictures.
 class Host {
 public:
     Host(std::shared_ptr<const ForkServer> fork_server, std::string name)
@@ -73,7 +73,7 @@ public:
     int next_number() { return numbers_++; }
 
 private:
-    static constexpr std::size_t most_spare = 64;  // memory over this many times the size needed is replaced
+    static constexpr std::size_t most_spare = 64;  // shared memory over this many times the size needed is replaced
 
     std::shared_ptr<const ForkServer> fork_server_;
     std::string name_;

@@ -13,7 +13,7 @@ namespace mandelmarch {
 // device_timeout() seconds, the call throws Error, too, and its device is not used again. unavailable() and devices()
 // throw Error if the driver fails while listing its devices.
 //
-// Must be called before the program has threads. Device processes lack fractals that are registered later.
+// Must be called before the program has threads.
 std::unique_ptr<Backend> isolated(std::unique_ptr<Backend> backend);
 
 }  // namespace mandelmarch

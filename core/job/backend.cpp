@@ -186,8 +186,8 @@ private:
         return opened(options.device);
     }
 
-    // Returns a device; opens it on the first call. The time that this takes becomes Timings::context of the
-    // device's renderers.
+    // Returns a device; opens it on the first call. The time for opening it becomes Timings::context of the device's
+    // renderers.
     OpenedInTime opened(int index) const
     {
         const std::scoped_lock lock(mutex_);

@@ -9,8 +9,8 @@
 namespace mandelmarch::job {
 
 // Returns the factors a and b of along_axes() in core/kernel/camera.h: the real parts of a for all columns, then their
-// imaginary parts, then b for all rows in the same way. In exact mode they equal those computed in the kernel, bit for
-// bit.
+// imaginary parts, then b for all rows in the same way. In exact mode the factors equal those that a kernel computes,
+// bit for bit.
 std::vector<float> camera_table(const layout_f32::Scene& scene);
 std::vector<double> camera_table(const layout_f64::Scene& scene);
 

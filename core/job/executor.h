@@ -150,8 +150,8 @@ public:
     const Work& work() const { return work_; }
 
 private:
-    // Returns the number of pixels that a thread marches one after the other. With more of them, fewer lanes of a warp
-    // are idle while its last rays march; but enough threads must remain to fill the device twice.
+    // Returns the number of pixels that a thread marches one after the other. If threads march more pixels, fewer lanes
+    // of a warp are idle while the warp's last rays march. But enough threads must remain to fill the device twice.
     int pixels_of_thread(std::int64_t pixels) const
     {
         constexpr std::int64_t most = 8;

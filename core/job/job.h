@@ -20,7 +20,7 @@ struct KernelArguments {
     int pixels_of_thread;  // pixels that a thread marches one after the other, with refill (pixels.h)
 };
 
-// Renders the width x rows pixels of a job. `job` is its address on the device.
+// Renders the width x rows pixels of a job. `job` is the address of its KernelArguments on the device.
 using DrawKernel = void(const void* job, int width, int rows);
 
 // Runs the chains of core/kernel/peak.h on `threads` threads. `sums` is device memory for one number per thread.

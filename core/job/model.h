@@ -42,7 +42,7 @@ class Model {
 public:
     virtual ~Model() = default;
 
-    // Like the functions of Backend with the same names.
+    // Functions like those of Backend with the same names.
     virtual std::string_view name() const = 0;
     virtual BackendInfo info() const = 0;
     virtual std::optional<std::string> unavailable() const { return std::nullopt; }
@@ -55,7 +55,7 @@ public:
     // Opens a device. Called once per device. Timings::context includes its duration.
     virtual OpenedDevice open(int index) const = 0;
 
-    // Calls `draw` such that the calling thread uses the device and the number of threads that the options select.
+    // Selects the options' device and number of threads for the calling thread, and calls `draw`.
     virtual void run(const RendererOptions&, const std::function<void()>& draw) const { draw(); }
     // Returns the number of threads that run() uses.
     virtual int threads(const RendererOptions&, const OpenedDevice& opened) const { return opened.threads; }
@@ -72,13 +72,14 @@ public:
     // Returns the free memory of a device, in bytes; nullopt if the device is the host.
     virtual std::optional<std::size_t> free_memory(int) const { return std::nullopt; }
 
-    // Memory of the calling thread's device. allocate() returns nullptr if it is exhausted.
+    // Memory of the calling thread's device. allocate() returns nullptr if this memory is exhausted.
     virtual void* allocate(std::size_t bytes) const;
     virtual void release(void* address) const;
     virtual void upload(void* to, const void* from, std::size_t bytes) const;
     virtual void read_back(void* to, const void* from, std::size_t bytes) const;
 
-    // Host memory to which the device copies at full speed. allocate_staging() returns nullptr if it is exhausted.
+    // Host memory to which the device copies at full speed. allocate_staging() returns nullptr if this memory is
+    // exhausted.
     virtual void* allocate_staging(std::size_t bytes) const;
     virtual void release_staging(void* address) const;
 };

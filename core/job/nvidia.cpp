@@ -68,7 +68,7 @@ public:
     // Records the event. Returns false if the event could not be created or recorded.
     bool record() const { return made_ && driver().cuEventRecord(event_, nullptr) == CUDA_SUCCESS; }
     bool wait() const { return made_ && driver().cuEventSynchronize(event_) == CUDA_SUCCESS; }
-    // Sets `milliseconds` to the time between both events. Returns false unless both have occurred.
+    // Sets `milliseconds` to the time from `first` to this event. Returns false unless both events have occurred.
     bool since(const Event& first, float& milliseconds) const
     {
         return driver().cuEventElapsedTime(&milliseconds, first.event_, event_) == CUDA_SUCCESS;

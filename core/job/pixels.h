@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernel source, and the functions that a model's loops call for each pixel of a job: on a CPU draw_pixel(); on a
-// GPU march_pixel(), shade_pixel() and bytes_of_pixel(), one after the other. Has no include guard: every kernel source
-// file includes it once, in its own namespace and after core/job/job.h. The including file defines MM_REAL,
-// MM_REAL_IS_FLOAT, MM_FRACTAL_FILE, and MM_MODE_exact or MM_MODE_fast.
+// GPU march_pixel(), shade_pixel() and bytes_of_pixel(), one after the other. Has no include guard: the source file of
+// each compiled kernel includes it once, in its own namespace and after core/job/job.h. The including file defines
+// MM_REAL, MM_REAL_IS_FLOAT, MM_FRACTAL_FILE, and MM_MODE_exact or MM_MODE_fast.
 #ifndef MM_PRELUDE
 #define MM_PRELUDE "core/kernel/prelude/scalar.h"
 #endif
@@ -82,7 +82,8 @@ FN Scene scene_of(const KernelArguments* job)
     return fixed_scene(job);
 }
 
-// Returns the scene for marching. In exact mode, marching does not depend on `differences`, so it is made a constant.
+// Returns the scene for marching. In exact mode, marching does not depend on `differences`, so `differences` is made a
+// constant.
 FN Scene march_scene_of(const KernelArguments* job)
 {
     Scene scene = scene_of(job);
@@ -131,7 +132,8 @@ FN Ray begun(const KernelArguments* job, Place place)
 // Stores a stopped ray in its pixel's planes, for shade_pixel().
 FN void put_ray(const KernelArguments* job, Place place, Ray ray)
 {
-    // The first plane holds what hits need: t for the original stepping, before_distance for refinement.
+    // The first plane holds the value that the hit is computed from: t in exact mode, before_distance in fast mode, for
+    // refinement.
     job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;
     job->reals[place.at + place.pixels] = ray.last_t;
     job->reals[place.at + 2 * place.pixels] = ray.last_distance;
@@ -159,7 +161,7 @@ FN int places_of(const KernelArguments* job)
     return columns * lines * (warp_width * warp_height);
 }
 
-// Returns the distance between the indices that a thread marches: the number of threads that march, rounded up to whole
+// Returns the difference between successive indices of a thread: the number of threads that march, rounded up to whole
 // blocks.
 FN int stride_of(const KernelArguments* job)
 {
@@ -178,7 +180,7 @@ FN int next_inside(const KernelArguments* job, int at)
 
 // Marches the rays of the thread's indices until they stop, with refill: when a ray has stopped, the thread begins the
 // ray of its next index (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs",
-// HPG 2009). The launch has more threads than needed; those from stride_of() on do nothing.
+// HPG 2009). The launch has more threads than needed; threads with the index stride_of() or higher do nothing.
 FN void march_pixel(const KernelArguments* job, int thread)
 {
     if (thread >= stride_of(job)) return;

@@ -11,8 +11,8 @@ FN vec3 perspective(Scene scene, real u, real v)
     return along(along(splat(scene.forward), splat(scene.across), u), splat(scene.upward), v);
 }
 
-// Returns the camera's axes, scaled by a column's factor `a` and a row's factor `b`, and added: a.re b.re forward +
-// a.im b.re across + b.im upward. For a perspective picture, a = (1, u) and b = (1, v).
+// Returns the sum of the camera's axes, scaled by the factor `a` of a column and the factor `b` of a row: a.re b.re
+// forward + a.im b.re across + b.im upward. For a perspective picture, a = (1, u) and b = (1, v).
 FN vec3 along_axes(Scene scene, Complex a, Complex b)
 {
     vec3 level = along(times(a.re, splat(scene.forward)), splat(scene.across), a.im);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 10: looks, which are the colouring types 2 and above. Colours are linear light until displayed().
+// Kernel source, part 10: looks, which are the colouring types 2 and above. Colours are linear light until displayed()
+// converts them.
 //   2 limestone  warm stone under a cool sky
 //   3 coral      the orbit trap's colours under the same light
 //   4 lagoon     dark water, with a lamp at the camera
@@ -21,9 +22,9 @@ struct Openness {
     counter iterations;
 };
 
-// Returns the openness, which is 1 - occlusion, at p in the direction n. It is the ratio of the estimate to the
-// distance from p, at four points from 0.4 to 9 % of t away from p. The estimate is usually smaller than the distance
-// to the surface, often a third of it, so a ratio of one half already counts as open.
+// Returns the openness, which is 1 - occlusion, at p in the direction n. It is computed from the ratio of the estimate
+// to the distance from p, at four points from 0.4 to 9 % of t away from p. The estimate is usually smaller than the
+// distance to the surface, often a third of it, so a ratio of one half already counts as open.
 FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
 {
     Openness result;
@@ -136,7 +137,8 @@ FN_CALLED Occlusion occlusion(Scene scene, vec3 p, vec3 n, real t, mask on)
 // Returns the colour of a hit at p with the unit normal n and the openness `found`.
 FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Occlusion found, mask on)
 {
-    // These are computed before the loop of the orbit trap, so that few registers are live during the loop.
+    // The following values are computed before the loop of the orbit trap, so that few registers are live during the
+    // loop.
     vec3 sun = splat(scene.sun);
     real facing = saturated(-dot3(n, direction));
     real key = saturated(R(0.08) + R(0.92) * dot3(n, sun)) * found.sunwards;

@@ -41,8 +41,8 @@ FN Ray begin(Scene scene, real i, real j)
     return begin_at(scene, picture_place(i, scene.width), picture_place(j, scene.height));
 }
 
-// Returns the tolerance: the last sample is a hit if its estimate is below it. The original stepping computes it from
-// the t after the step, canonical pictures from the t of the sample.
+// Returns the tolerance at the last sample. The sample is a hit if its estimate is below the tolerance. The original
+// stepping computes the tolerance from the t after the step, canonical pictures from the t of the sample.
 FN real tolerance(Scene scene, Ray ray)
 {
     real t = ray.t;
@@ -60,8 +60,8 @@ FN mask has_hit(Scene scene, Ray ray) { return ray.last_distance < tolerance(sce
 
 FN vec3 point_at(Scene scene, Ray ray, real t) { return along(splat(scene.eye), ray.direction, t); }
 
-// Returns the estimate at the ray's next sample. It is separate from advanced(), so that a backend can evaluate DE for
-// more rays at once than it processes in other functions.
+// Returns the estimate at the ray's next sample. This function is separate from advanced(), so that a backend can
+// evaluate DE for more rays at once than it processes in other functions.
 FN Estimate probe(Scene scene, Ray ray, mask on) { return estimate(scene, point_at(scene, ray, ray.t), on); }
 
 // Takes one step of sphere tracing (Hart, "Sphere tracing", The Visual Computer 12, 1996) with over-relaxation (Keinert

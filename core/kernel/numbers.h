@@ -91,7 +91,7 @@ FN Complex cosine_and_sine(real x)
     cosine = cosine * q + R(0.041666666666666664);    // 1/4!
     cosine = cosine * q - R(0.5);
     cosine = 1 + q * cosine;
-    // The quadrant is k modulo 4, as a number from -2 to 2: 3 is -1, and 2 is either -2 or 2.
+    // The quadrant is k modulo 4, as a number from -2 to 2: 3 appears as -1, and 2 appears as -2 or 2.
     real quadrant = k - 4 * nearest(k * R(0.25));
     mask odd = magnitude(quadrant) == 1;
     mask sine_negative = quadrant == -1 || magnitude(quadrant) == 2;

@@ -76,8 +76,8 @@ FN Hit narrowed(Scene scene, Hit hit, Estimate here, mask on)
     real f = here.distance - scene.tolerance * hit.t;
     mask below = on && f < 0;
     mask above = on && !below;
-    // If an end is retained for the second time, f there is multiplied by 1 minus the ratio of the new f at the other
-    // end to the old f at that end; if this factor is not positive, by one half.
+    // If an end of the bracket is retained for the second time, its f is scaled down by a factor. The factor is 1 minus
+    // the ratio of the new f to the old f at the other end, or one half if this is not positive.
     real share = 1 - rough_quotient(f, pick(below, hit.below_f, hit.above_f));
     share = pick(share > 0, share, R(0.5));
     mask twice_below = below && hit.state == tried_below();

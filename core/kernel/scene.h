@@ -43,7 +43,7 @@ struct Ray {
     real last_t;           // t of the last sample
     real last_distance;    // estimate at the last sample
     real before_t;         // t of the sample before the last one
-    real before_distance;  // estimate there
+    real before_distance;  // estimate at that sample
     whole steps;           // number of samples taken by marching
     counter de_calls;      // number of DE evaluations, including those of refinement and normals
     counter iterations;    // number of iterations of these DE evaluations

@@ -7,7 +7,8 @@ struct Normal {
     counter iterations;
 };
 
-// Returns the gradient of DE by central differences, with six DE evaluations.
+// Returns the normal, which is the direction of the gradient of DE. Computes it by central differences, with six DE
+// evaluations.
 FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
 {
     real h = larger(norm(p), 1) * scene.difference_step;
@@ -43,8 +44,9 @@ FN Normal normal_by_differences(Scene scene, vec3 p, mask on)
     return normal;
 }
 
-// Returns the gradient of DE by differences over a tetrahedron, whose four corners are at distance h from p, with
-// four DE evaluations. Details smaller than h have no effect, so the normals of adjacent pixels are similar.
+// Returns the normal, which is the direction of the gradient of DE. Computes it from four DE evaluations, at the
+// corners of a tetrahedron, which are at distance h from p. Details smaller than h have no effect, so the normals of
+// adjacent pixels are similar.
 FN Normal normal_by_tetrahedron(Scene scene, vec3 p, real h, mask on)
 {
     vec3 slope = vec3(0, 0, 0);
@@ -93,7 +95,8 @@ FN real channel(Scene scene, real light, real n)
     return c * c;
 }
 
-// Returns the colour of the original program: the components of the normal, lit by its angle to the view direction.
+// Returns the colour that the original program computes from the components of the normal and from a light term, which
+// depends on the normal and the view direction.
 FN vec3 lit(Scene scene, vec3 direction, vec3 n)
 {
     real light = R(1.8) * larger(dot3(minus(n, vec3(1, 1, 1)), direction), R(0.3));
@@ -117,7 +120,7 @@ FN Pixel missed(Scene scene, Hit hit)
 
 // Returns the normal of a hit at distance t. If the eye is inside the solid (t = 0), the hit is not on the surface; in
 // canonical pictures its normal is then the direction towards the eye. shade_with() calls this function in both of its
-// branches, because a single call before them would cost three registers on the K40.
+// branches, because a single call before the branches would cost three registers on the K40.
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));
@@ -149,7 +152,8 @@ FN Pixel finished(Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
     return pixel;
 }
 
-// Returns the pixel of a hit, shaded with a look and the given openness. The pixel of a ray without a hit is unchanged.
+// Returns the pixel of a hit, shaded with a look and the given openness. If the ray has no hit, returns `pixel`
+// unchanged.
 FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal, Occlusion found)
 {
     mask on = is_hit(hit);
@@ -161,7 +165,7 @@ FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal 
     return finished(hit, pixel, at, normal);
 }
 
-// Returns the pixel of a hit, shaded with the normal at its shading point. The pixel of a ray without a hit is
+// Returns the pixel of a hit, shaded with the normal at its shading point. If the ray has no hit, returns `pixel`
 // unchanged.
 FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {

@@ -32,8 +32,9 @@ FN real relaxed(Scene scene, Ray ray)
     return step;
 }
 
-// Neighbours are pixels that are rendered before the pixels between them, and pass on a depth to these: the t of the
-// hit; clear_miss() if the ray missed with enough clearance for the rays around it; or unclear_miss() for other misses.
+// Neighbours are pixels that are rendered before the pixels between them. A neighbour passes on a depth to these
+// pixels: the t of its hit; clear_miss() if its ray missed with enough clearance for the rays around it; or
+// unclear_miss() for other misses.
 FN scalar clear_miss() { return R(-1.0); }
 FN scalar unclear_miss() { return R(0.0); }
 
@@ -41,9 +42,9 @@ FN scalar unclear_miss() { return R(0.0); }
 FN scalar beyond_scene(Scene scene) { return 2 * scene.end; }
 
 // Returns the t at which a ray between four neighbours begins, from the min and the max of their depths. If all four
-// hit, the ray begins in front of their hits, by one tolerance and a tenth of the range of their depths. If all four
-// missed clearly, it begins beyond the scene; otherwise at 0. Used in fast mode only, because a thin feature between
-// the neighbours can be missed (docs/fast-mode.md).
+// hit, the ray begins in front of the nearest of these hits, by one tolerance and a tenth of the range of the depths.
+// If all four missed clearly, it begins beyond the scene; otherwise at 0. Used in fast mode only, because a thin
+// feature between the neighbours can be missed (docs/fast-mode.md).
 FN real neighbour_start(Scene scene, real least, real greatest)
 {
     real start = least - neighbour_margin() * (greatest - least) - scene.tolerance * least;

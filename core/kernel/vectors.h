@@ -24,7 +24,8 @@ FN vec3 pick3(mask on, vec3 a, vec3 b) { return vec3(pick(on, a.x, b.x), pick(on
 // Copies a triple, which is the same for all lanes, to every lane.
 FN vec3 splat(triple a) { return vec3(a.x, a.y, a.z); }
 
-// Return the max or min of a and b; b if one of them is NaN. A prelude can define them as single instructions.
+// Functions that return the max or min of a and b; b if one of them is NaN. A prelude can define these functions as
+// single instructions.
 #ifndef MM_HAS_LARGER
 FN real larger(real a, real b) { return pick(a > b, a, b); }
 
@@ -48,7 +49,8 @@ FN real rough_quotient(real a, real b) { return quick_quotient(a, b); }
 
 FN real rough_root(real a) { return quick_root(a); }
 
-// Returns a / sqrt(b). `less` must be a / b. A prelude with a fast 1 / sqrt(b) defines it with one multiplication less.
+// Returns a / sqrt(b). `less` must be a / b. A prelude with a fast 1 / sqrt(b) can define over_root() with one
+// multiplication less.
 #define over_root(a, less, b) ((less)*quick_root(b))
 #endif
 

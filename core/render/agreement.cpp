@@ -12,8 +12,8 @@
 namespace mandelmarch {
 namespace {
 
-// Returns the position of a floating-point number in the order of all such numbers; adjacent numbers differ by 1. 0 and
-// -0 have the same position.
+// Returns the position of a floating-point number in the order of all such numbers. The positions of adjacent numbers
+// differ by 1. 0 and -0 have the same position.
 template <class Real>
 double rank(Real value)
 {

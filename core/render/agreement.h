@@ -23,7 +23,8 @@ struct Agreement {
     Level level = Level::different;
     Comparison comparison;
     bool numbers = false;  // both images have values, and the second has no NaN
-    // Max difference of a colour or depth, in ulp of the precision; +infinity if one is NaN or only one is infinite.
+    // Max difference of a colour or depth, in ulp of the precision; +infinity if one of the two values is NaN, or only
+    // one is infinite.
     double largest_ulps = 0;
 };
 

@@ -47,14 +47,14 @@ struct Techniques {
     bool trial = true;             // fast: a small trial render decides whether steps must be shorter
     bool refinement = true;        // fast: hits are refined to the canonical root; false: by one secant only
     bool shared_occlusion = true;  // fast, openmp, films: adjacent pixels of one surface share the occlusion of a look
-    bool tail = true;              // fast, Mandelbox: the last iterations of an orbit skip their tests
+    bool tail = true;              // fast, Mandelbox: the last iterations of an orbit skip most tests
     bool gradient = true;          // fast, double: normals from the gradient; false: from differences of six estimates
 };
 
 // Returns all techniques except those in `names`, such as "hull,cones". Throws InputError, which lists the known names.
 Techniques techniques_without(std::string_view names);
 
-// Options of create().
+// Options of Backend::create().
 struct RendererOptions {
     int device = 0;  // index into Backend::devices()
     Precision precision = Precision::f64;
@@ -118,7 +118,7 @@ struct RenderStats {
     int threads = 1;
     int simd_width = 1;
     std::string instruction_set;  // or the device's architecture; may be empty
-    // Results of a trial (core/render/trial.h); both are 0 without one. step_factor: the selected step factor.
+    // Results of a trial (core/render/trial.h); both are 0 without a trial. step_factor: the selected step factor.
     // unsettled: the fraction of the trial's pixels that shorter steps would still change visibly; 0 if it is small.
     double step_factor = 0;
     double unsettled = 0;
@@ -173,8 +173,8 @@ enum class Role {
 
 std::string_view name_of(Role role);  // "reference", "host", "accelerator", or "" for none
 
-// Compilation of a backend's kernels. mandelmarch_kernel_build() (cmake/Backend.cmake) sets it in the backend's
-// CMakeLists.txt.
+// Compiler and flags of a backend's kernels. mandelmarch_kernel_build() (cmake/Backend.cmake) sets them in the
+// backend's CMakeLists.txt.
 struct KernelBuild {
     std::string compiler = {};
     std::string exact = {};  // compiler flags in exact mode

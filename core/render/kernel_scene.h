@@ -33,7 +33,8 @@ namespace layout_f32 {
 template <class Real>
 using KernelScene = std::conditional_t<std::is_same_v<Real, float>, layout_f32::Scene, layout_f64::Scene>;
 
-// Returns a scene as the struct Scene that the kernel source defines in the namespace in which it is included.
+// Returns a scene as another type with the same layout: the struct Scene of a namespace that includes the kernel
+// source.
 template <class Scene, class Layout>
 const Scene& scene_as(const Layout& scene)
 {
@@ -46,15 +47,16 @@ inline constexpr int max_steps = 8000;           // max number of samples of a r
 inline constexpr double farthest_sample = 1000;  // max t of a sample
 
 // Returns the kernel's parameters. They are computed in double and then rounded. In exact mode a hit is the last sample
-// of the original stepping, in fast mode the canonical hit. In double, normals come from central differences in exact
-// mode and without the technique `gradient`; otherwise they come from the analytic gradient. They come from differences
-// over a tetrahedron if the scene is smooth, or if it is conservative and the gradient would be used. Throws InputError
-// for float without the technique `gradient`.
+// of the original stepping, in fast mode the canonical hit. If the scene is smooth, normals come from differences over
+// a tetrahedron. If not, normals in double come from central differences in exact mode and without the technique
+// `gradient`. All other normals come from the analytic gradient, but in conservative scenes, whose estimate has no such
+// gradient, from differences over a tetrahedron. Throws InputError for float without the technique `gradient`.
 template <class Layout>
 Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques = {});
 
 // The camera's axes. `forward` is the unit vector of the view direction. `across` and `upward` point from the picture's
-// centre to its right and top edge, at distance 1. If the scene has a crop window, they are those of the whole picture.
+// centre to its right and top edge, at distance 1. If the scene has a crop window, these are the axes of the whole
+// picture.
 struct Camera {
     Vector forward, across, upward;
 };

@@ -16,7 +16,7 @@ namespace mandelmarch {
 struct Listing {
     std::vector<Device> devices;
     std::string unavailable;  // why the backend has no devices
-    std::string failure;      // how its driver failed while it listed the devices
+    std::string failure;      // how the driver failed while it listed the devices
 };
 
 Listing listing_of(const Backend& backend);
@@ -44,8 +44,8 @@ public:
 
     std::vector<std::string> names() const;
 
-    // Returns the first accelerator that has a GPU; if there is none, the host backend. Throws Unavailable if that is
-    // missing, too.
+    // Returns the first accelerator that has a GPU; if there is none, the host backend. Throws Unavailable if the host
+    // backend is missing, too.
     AutomaticChoice automatic() const;
 
 private:

@@ -13,14 +13,15 @@
 namespace mandelmarch {
 namespace {
 
-// Number of bands that a large picture is divided into. Enough to show progress, and each band is large enough to
-// keep a device busy.
+// Number of bands into which a large picture is divided. There are enough bands to show progress, and each is large
+// enough to keep a device busy.
 constexpr std::int64_t bands_wanted = 64;
-// For bands whose size is determined by time: the pixels of the first band, and the max ratio of successive bands.
+// For bands whose size is determined by time: the pixels of the first band, and the max ratio of a band to the one
+// before.
 constexpr std::int64_t first_band = 1 << 14;
 constexpr double most_growth = 4;
 
-// How much of a pixel an invocation may compute.
+// The part of a pixel that one invocation of the kernel may compute.
 struct Plan {
     bool whole = true;      // an invocation may compute a whole pixel; if false, the limits below apply
     int steps = max_steps;  // max marching steps per pass

@@ -11,8 +11,8 @@
 
 namespace mandelmarch {
 
-// The kernel's entry points. `draw` renders a pixel completely. The others are its stages; between them, rays are
-// stored.
+// The kernel's entry points. `draw` renders a pixel completely. The other entry points are the stages of `draw`.
+// Between two stages, rays are stored.
 enum class Entry { draw, begin, march, refine, shade };
 
 // Rows [first_row, first_row + rows) of the picture, counted from the bottom.
@@ -33,7 +33,7 @@ struct Loops {
 };
 
 struct LoopLimit {
-    std::int64_t survived;  // max loop iterations of an invocation in a pass
+    std::int64_t survived;  // max loop iterations of an invocation in a pass that the device survives
     Loops of_scene;         // counted by loops_of() of instruments/loops.h
 };
 
@@ -60,7 +60,7 @@ inline std::int64_t pixels_of_gpu(std::int64_t threads)
     return std::clamp(waves_of_band * threads, fewest_of_gpu, largest_band);
 }
 
-// Returns the limits with bands of `band` pixels, but at most the device's capacity. If `band` is 0, they are
+// Returns the limits with bands of `band` pixels, but at most the device's capacity. If `band` is 0, the limits are
 // unchanged.
 inline Limits with_band(Limits limits, int band)
 {
@@ -82,9 +82,9 @@ class Executor {
 public:
     virtual ~Executor() = default;
 
-    // Runs an entry point on every pixel of the band. `steps` is the max number of steps of a ray in this pass for
-    // `march`, and of refinements for `refine`. May return before the device has finished; marching() and read_back()
-    // wait for it.
+    // Runs an entry point on every pixel of the band. For `march`, `steps` is the max number of steps of a ray in this
+    // pass; for `refine`, it is the max number of refinements of a hit. May return before the device has finished;
+    // marching() and read_back() wait for it.
     virtual void run(Entry entry, const Band& band, int steps) = 0;
 
     // Called after `march`. Returns true while any ray of the band has neither hit nor left the scene.
@@ -95,8 +95,8 @@ public:
 };
 
 // Renders the scene band by band. If an invocation may compute a whole pixel, a band is rendered by one pass of `draw`.
-// Otherwise it takes a pass of `begin`, passes of `march` until all rays have stopped, passes of `refine` in fast mode,
-// and a pass of `shade`.
+// Otherwise the band takes a pass of `begin`, passes of `march` until all rays have stopped, passes of `refine` in fast
+// mode, and a pass of `shade`.
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress);
 

@@ -12,7 +12,7 @@ namespace mandelmarch {
 
 struct Stepping {
     double step_factor;  // length of a step without over-relaxation, as a multiple of the estimate
-    double relaxation;   // max length of an over-relaxed step, in estimates; equal to step_factor: none
+    double relaxation;   // max length of an over-relaxed step, in estimates; equal to step_factor: no over-relaxation
     double root_share;   // max |DE - tolerance t| at a hit, in tolerances
 };
 
@@ -34,8 +34,8 @@ inline constexpr double any_root_share = 1e9;
 // scene's own limits apply in both modes.
 Stepping stepping_of(const Scene& scene, Mode mode, const Techniques& techniques = {});
 
-// Returns the scene's limits, combined with those for the frames of a film. Steps are shorter, because in a film the
-// camera is so close that the fractal fills the picture.
+// Returns the scene's limits, combined with the limits for the frames of a film. Steps are shorter, because in a film
+// the camera is so close that the fractal fills the picture.
 StepLimits film_limits(const Scene& scene);
 
 }  // namespace mandelmarch

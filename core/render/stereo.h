@@ -6,7 +6,8 @@
 
 namespace mandelmarch {
 
-// Distance of the screen, in eye distances. Objects that are closer appear in front of the screen.
+// Distance from the eyes to the screen, as a multiple of the distance between the eyes. Objects that are closer appear
+// in front of the screen.
 inline constexpr double screen_distance = 60;
 
 // Returns the scene of one eye. Its picture has half the width. The camera is moved sideways by half of `eyes`, the

@@ -13,7 +13,7 @@ namespace {
 // docs/notes/experiments.md, "Trials", explains these constants.
 constexpr double trial_pixels = 1024;
 constexpr double most_off = 0.015;   // max fraction of the trial's pixels that may differ visibly
-constexpr double converging = 0.75;  // max ratio of that fraction to the previous one
+constexpr double converging = 0.75;  // max ratio of the fraction that differs to that of the comparison before
 
 double share_off(const Image& a, const Image& b)
 {

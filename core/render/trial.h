@@ -14,7 +14,7 @@ namespace mandelmarch {
 // Result of a trial.
 struct Trial {
     double step_factor = 0;  // the step factor to use for the picture
-    double off = 0;          // fraction of the trial's pixels that shorter steps change visibly; 0 without shorter ones
+    double off = 0;          // fraction of the trial's pixels that shorter steps change visibly; 0: none tried
     bool settled() const;    // true if shorter steps would change few pixels
 };
 
@@ -22,7 +22,8 @@ struct Trial {
 Scene trial_scene(const Scene& scene);
 
 // Returns the step factor that fast mode should use for the scene. `draw` renders a small picture. Begins with the
-// usual step factor, and compares its picture with that of the next one of shorter_step_factors (stepping.h):
+// usual step factor, and compares its picture with the picture of the next shorter one (shorter_step_factors in
+// stepping.h):
 // 1. If few pixels differ, the longer steps are used.
 // 2. If more differ, the shorter steps become the longer ones of the next comparison.
 // 3. If the number of differing pixels does not decrease, the precision is the cause, and the usual factor is used.

@@ -43,7 +43,7 @@ void draw_shape(SceneRandom& chance, Scene& scene)
     scene.escape = SceneRandom::single(scene.escape);
 }
 
-// Sets the values of lines 7 and 8, for scenes that do not vary them.
+// Sets the values of lines 7 and 8 of the parameter file, for scenes that do not vary these values.
 void set_plain_shape(const Fractal& fractal, Scene& scene)
 {
     if (const auto& plain = fractal.random.plain) {

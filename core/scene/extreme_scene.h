@@ -10,7 +10,8 @@ namespace mandelmarch {
 // iterations. The scenes have detail levels from -37 to 3, 1 to max_iterations iterations, powers and scales of every
 // kind, cameras far away, close, on an axis and in the solid, all colouring types, and odd sizes. Every fourth scene is
 // less extreme: its rays take many steps of few iterations. Each scene has its own random sequence, fulfils
-// check_scene() and the ranges of its parameter file, and is equal to the scene that is read from its to_parameters().
+// check_scene() and the ranges of its parameter file, and is equal to the scene that the parser reads from its
+// to_parameters().
 Scene extreme_scene(const Fractal& fractal, unsigned seed, int number);
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registered fractals. Each has a kernel source, core/kernel/fractals/NAME.h, and a descriptor,
+// The fractals of this build. Each has a kernel source, core/kernel/fractals/NAME.h, and a descriptor,
 // core/scene/fractals/NAME.cpp.
 #pragma once
 
@@ -16,7 +16,8 @@ struct Scene;
 class SceneRandom;
 class Formula;
 
-// Name and range of a number in a parameter file. The range includes `high`, and it includes `low` unless `open_low`.
+// Name and range of a number in a parameter file. The range includes `high`. It includes `low` unless `open_low` is
+// true.
 struct ParameterInfo {
     std::string_view name;
     double low;
@@ -44,7 +45,7 @@ struct FractalInputs {
 
 FractalInputs<double> inputs_of(const Scene& scene, double largest = float_range);
 
-// A fractal's own parameters of the kernel, which are the same for all pixels.
+// Constants that only the fractal's own kernel source uses. They are the same for all pixels.
 template <class Number>
 struct FractalConstants {
     std::array<Number, 11> values{};
@@ -61,7 +62,7 @@ struct RowFormula {
 template <class Number>
 using Plain = Number;
 
-// The parameters of a view on which a hull depends.
+// The values of a view that a hull depends on.
 struct ViewLimits {
     double slope;     // a sample at t with DE > slope t is not a hit
     double distance;  // distance of the eye from the origin
@@ -104,8 +105,8 @@ struct FractalHull {
 
 // A fractal's parameters of fast mode.
 struct FractalFast {
-    // Step factor. If it is below plain_step_factor, steps are not over-relaxed. This is for scenes with thin features,
-    // which longer steps would miss.
+    // Step factor. If it is below plain_step_factor, steps are not over-relaxed. Scenes with thin features need such a
+    // factor, because longer steps would miss these features.
     RowFormula<Plain> step_factor{defaults::step_factor<double>, defaults::step_factor<Formula>};
     // Refinement of a hit ends if |DE - tolerance t| is below this fraction of the tolerance. The value was chosen by
     // measuring how much pictures change.
@@ -121,10 +122,10 @@ struct FractalFlight {
     // Returns the min magnification of an iteration. Features that iteration n adds have about growth^-n times the
     // fractal's size.
     double (*growth)(const Scene& scene) = defaults::growth;
-    // Fractions of the estimate that can be trusted. safety: within this fraction there is certainly no surface, except
-    // at points close to the surface. step_factor: the step factor for films; it can be smaller, because close to the
-    // surface an estimate can exceed the distance. `conservative` is for the conservative estimate, if the fractal has
-    // one.
+    // Fractions of the estimate that can be trusted. safety: there is certainly no surface within this fraction of the
+    // estimate, except at points close to the surface. step_factor: the step factor for films. It can be smaller than
+    // `safety`, because close to the surface an estimate can exceed the distance. `conservative` is for the
+    // conservative estimate, if the fractal has one.
     struct Trust {
         double safety = 0.5;
         double step_factor = 0.5;
@@ -134,10 +135,10 @@ struct FractalFlight {
     const Trust& trust_of(const Scene& scene) const;
     // Returns the bounds of the fractal. If it returns nullopt, flight/field finds a sphere by casting rays.
     std::optional<Bounds> (*body)(const Scene& scene) = defaults::unknown_body;
-    // Maps places that are equivalent under the fractal's symmetries to the one in the fundamental region.
+    // Returns the place in the fundamental region of the fractal's symmetries that is equivalent to p.
     Vector (*representative)(const Scene& scene, Vector p) = defaults::representative;
-    // Returns true in a region that includes a fundamental region of the fractal's symmetries. The planner searches
-    // routes only there, to save time.
+    // Returns true if p is in the region in which the planner searches routes. To save time, this region is only a part
+    // of the bounds, but it includes a fundamental region of the fractal's symmetries.
     bool (*worth_searching)(const Scene& scene, const Bounds& body, Vector p) = defaults::worth_searching;
     // Returns a unit vector, the upward direction of a level camera at `place`. `up` is the camera's up vector.
     Vector (*upward)(Vector place, Vector up) = defaults::upward;
@@ -149,7 +150,7 @@ struct FractalRandom {
     double extent;             // approximate max distance of the fractal from the origin
     double nearest, farthest;  // range of the camera's distance from the origin
     void (*shape)(Scene& scene, SceneRandom& chance, bool even) = defaults::same_shape;
-    // Draws values of every size and sign that a parameter file allows. They are then rounded to single precision.
+    // Draws values of every size and sign that a parameter file allows. The caller rounds them to single precision.
     void (*extreme_shape)(Scene& scene, SceneRandom& chance) = defaults::same_extreme_shape;
     // Values of lines 7 and 8 for extreme scenes that do not vary them; nullopt: those of the official scene.
     std::optional<std::array<double, 4>> plain{};
@@ -165,7 +166,8 @@ struct Fractal {
     // Returns what is wrong with the combination of the three values of line 7, or "" if nothing is.
     std::string_view (*objection)(const Scene& scene) = defaults::objection;
     RowFormula<FractalConstants> constants;
-    // Sets the constants of tails. A tail is the last iterations of an orbit, which fast mode computes without tests.
+    // Sets the constants of tails. A tail is the last iterations of an orbit, which fast mode computes with only one
+    // escape test.
     void (*add_tail)(const Scene& scene, FractalConstants<double>& constants) = defaults::no_tail;
     FractalHull hull{};
     FractalFast fast{};
@@ -173,7 +175,7 @@ struct Fractal {
     FractalRandom random;
 };
 
-// Returns the registered fractals, sorted by list_order, then by name.
+// Returns the fractals of this build, sorted by list_order, then by name.
 std::span<const Fractal> fractals();
 
 // Returns the fractal with this name or short name. Throws InputError, which lists the known names.

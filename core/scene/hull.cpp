@@ -15,7 +15,7 @@ bool Bounds::contains(Vector p) const
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= size;
 }
 
-// Uses t <= r + |eye|, which holds for every point at distance r from the origin.
+// Uses t <= r + |eye|, which holds for every point of a ray at distance r from the origin.
 double radius_where(const std::function<double(double)>& bound, double radius, const ViewLimits& view)
 {
     const auto free = [&](double r) { return bound(r) > view.slope * (r + view.distance); };
@@ -47,12 +47,12 @@ double least_estimate(double start, double power, double stretch, double added, 
 
 double hull_size(const Scene& scene, double tolerance)
 {
-    // In a hit, DE < tolerance t. With the original stepping, t is the t after the step, and the step is at most twice
-    // the estimate.
+    // At a hit, DE < tolerance t. The original stepping uses the t after the step that follows the sample; this step is
+    // at most twice the estimate.
     if (tolerance > 0.1) return 0;
     const ViewLimits view{1.02 * tolerance / (1 - 2 * tolerance), length(scene.eye)};
     const double size = scene.fractal->hull.size(scene, view);
-    // The margin allows for float's positions, which are off by a few ulp of the eye's distance.
+    // The margin allows for rounding errors: positions in float are off by a few ulp of the eye's distance.
     return size > 0 ? size * (1 + 1e-4) + 1e-5 * view.distance : 0;
 }
 

@@ -70,8 +70,8 @@ std::optional<int> oddities(const Scene& scene, const Fractal& fractal)
     return fine && fractal.objection(as_that).empty() ? std::optional(count) : std::nullopt;
 }
 
-// Returns the fractal for which the fewest values of the scene are unusual, if they are fewer than for the scene's own
-// fractal; otherwise nullptr.
+// Returns the fractal for which the fewest values of the scene are unusual; nullptr if no fractal has fewer unusual
+// values than the scene's own.
 const Fractal* likelier(const Scene& scene)
 {
     const Fractal* best = nullptr;
@@ -127,8 +127,8 @@ public:
     }
 
 private:
-    // Warns if the comments do not name this fractal, and either they name another one or the values suit another one
-    // better.
+    // Warns if the file seems to be made for another fractal: its comments do not name this fractal, and they name
+    // another fractal, or its values suit another fractal better.
     void warn_of_another_fractal()
     {
         if (names(fractal_)) return;

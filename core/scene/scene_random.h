@@ -21,7 +21,7 @@ public:
     // Returns a number whose logarithm is uniformly distributed. low and high must be positive.
     double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
-    // Rounds to single precision, as parameter files are read.
+    // Rounds to single precision, as the parser of parameter files does.
     static double single(double value) { return double{static_cast<float>(value)}; }
     double single_between(double low, double high) { return single(between(low, high)); }
 

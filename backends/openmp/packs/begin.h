@@ -3,8 +3,8 @@
 
 constexpr int log2_of(int n) { return n == 1 ? 0 : 1 + log2_of(n / 2); }
 
-// For a band's first lattice: stores where the subtiles' cones end in Canvas::block_start, and paints the subtiles that
-// no ray hits with the background.
+// Called for a band's first lattice. Stores in Canvas::block_start the t at which the cone of each subtile ends. Fills
+// subtiles without hits with the background's colour.
 HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
 {
     const bool paints = paints_background(d);
@@ -22,8 +22,9 @@ HWY_NOINLINE void begin_blocks(Drawing& d, const Blocks& blocks)
     }
 }
 
-// Depths of the pixels at the corners of a square's cells, row by row. They are rendered before the pixels inside the
-// cells. A side has one more corner than cells. Corners outside the band have the depth unclear_miss().
+// Depths of the pixels at the corners of a square's cells, row by row. The pixels at the corners are rendered before
+// those inside the cells. A side of the square has `across` cells and one more corner. Corners outside the band have
+// the depth unclear_miss().
 template <int across>
 struct Neighbours {
     MM_REAL at[across + 1][across + 1];
@@ -64,12 +65,12 @@ HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, 
     }
 }
 
-// Copies the start of each subtile in a square to the subtile's pixels. Returns true if no ray of these subtiles can
-// hit.
+// Copies the start of each subtile in a square (Canvas::block_start) to all of the subtile's pixels in the square.
+// Returns true if no ray of these subtiles can hit.
 HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square& square)
 {
     const int side = square.across() << square.log2_apart;
-    const int log2_pixels = log2_of(block_side) - square.log2_apart;  // log2 of the pixels in a subtile
+    const int log2_pixels = log2_of(block_side) - square.log2_apart;  // log2 of the pixels on a subtile's side
     bool all_gone = true;
     for (int y = 0; y < side && bottom + y < d.canvas.end_row; y += block_side) {
         for (int x = 0; x < side && left + x < d.scene.width; x += block_side) {
@@ -112,7 +113,8 @@ HWY_NOINLINE void begin_tile(Drawing& d, int left, int bottom)
     }
 }
 
-// Called before a band's first lattice. Marks the depths of all pixels as unclear, except in painted subtiles.
+// Called before a band's first lattice. Sets the depths of the subtiles' pixels to unclear_miss() or, in subtiles that
+// no ray hits, to clear_miss().
 HWY_INLINE void clear_neighbours(const Drawing& d, const Blocks& blocks)
 {
     for (int block = 0; block < blocks.count; ++block) {

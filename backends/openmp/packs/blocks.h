@@ -3,7 +3,7 @@
 
 constexpr int block_pixels = block_side * block_side;
 constexpr int tile_blocks = tile_pixels / block_pixels;
-constexpr int most_blocks = 32;  // number of subtiles begun together, so that their cones fill packs
+constexpr int most_blocks = 32;  // max number of subtiles that begin together, enough for their cones to fill packs
 
 struct Blocks {
     int count = 0;

@@ -16,9 +16,9 @@ HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
 #endif
 }
 
-// Begins a cone for every subtile. If Canvas::cones is false, only stores where the cone's axis enters the hull. The
-// hull used here (Canvas::block_hull) is enlarged: if any ray of a subtile meets the scene's hull, the axis of its cone
-// meets the enlarged one.
+// Begins a cone for every subtile. If Canvas::cones is false, only stores the t at which the cone's axis enters the
+// hull. The hull used here (Canvas::block_hull) is enlarged: if any ray of a subtile meets the scene's hull, the axis
+// of the subtile's cone meets the enlarged hull.
 HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
 {
     const real middle = MM_REAL(0.5) * (block_side - 1);

@@ -17,7 +17,7 @@ struct Pools {
 // Scene, canvas, pools and functions of a thread's rendering.
 struct Drawing {
     const Scene& scene;
-    Scene around_blocks;  // copy of the scene whose hull is the canvas's block_hull
+    Scene around_blocks;  // copy of the scene with block_hull of the canvas as its hull
     const Canvas<MM_REAL>& canvas;
     const Tiles& tiles;
     Pools& pools;

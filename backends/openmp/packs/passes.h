@@ -8,8 +8,8 @@ HWY_INLINE mask mask_of(hn::Mask<Reals> lanes)
     return on;
 }
 
-// Marches every ray of a pool by some steps, pack by pack. Compacts the rays that continue at the front of the pool,
-// and passes the others to ended(rays, lanes).
+// Marches every ray of a pool by some steps, pack by pack. Moves the rays that continue to the front of the pool,
+// without gaps, and passes the others to ended(rays, lanes).
 template <class Kind, Fields held, class Ended>
 HWY_INLINE void step_pool(Drawing& d, Pool& pool, StepKind kind, Ended ended)
 {
@@ -51,7 +51,7 @@ HWY_INLINE void shade_packs_of(Drawing& d, Pool& pool, bool all)
     keep_rest<held>(pool, count);
 }
 
-// Moves the ended rays that can use the occlusion of neighbouring pixels to their own pool.
+// Moves ended rays to the pool `sharing` if they can use the occlusion of neighbouring pixels.
 HWY_NOINLINE void split_sharing(Drawing& d)
 {
     Pool& ended = d.pools.ended;
@@ -110,7 +110,7 @@ HWY_NOINLINE void refine_pool(Drawing& d)
     d.pools.refining = d.pools.hits.size;
 }
 
-// Stores the depths of a lattice's rays, from which the rays of the pixels between them will begin.
+// Stores the depths of a lattice's rays. The rays of the pixels in between will begin near these depths.
 HWY_INLINE void leave_depths(const Drawing& d, const RayPack& a, const real& t, const mask& on)
 {
     Int places[places_room] = {};

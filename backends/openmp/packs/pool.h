@@ -3,13 +3,14 @@
 //
 // A pool of rays, stored as a structure of arrays, is marched by some steps at a time. Rays that continue are stored
 // without gaps. Hits wait in a second pool until whole packs of them can be refined and shaded. When the first pool
-// runs low, the rays of another tile are added. So a lane waits for slower ones within a DE evaluation and, once its
-// ray has ended, until a quarter of its pack's rays have ended, but for at most 15 steps (samples.h).
+// runs low, the rays of another tile are added. Therefore a lane waits only in two cases. Within a DE evaluation it
+// waits for slower lanes. When its ray has ended, it waits until a quarter of its pack's rays have ended, but for at
+// most 15 steps (samples.h).
 //
 // The scheduler itself processes one SIMD register at a time, so that its values stay in registers. DE evaluations and
-// shading use wider packs, in which the operations of one register hide the latency of another's.
+// shading use wider packs, in which the operations on one register hide the latency of those on another.
 
-// Clock of draw_tiles(). It measures nothing.
+// The clock that draw_tiles() passes to draw_with(). It measures nothing.
 struct NoClock {
     HWY_INLINE void after(Drawing&, Stage) const {}
     HWY_INLINE void finish(Drawing& d) const { shade_pool(d, true); }
@@ -46,7 +47,8 @@ HWY_MAYBE_UNUSED WorkCounts draw_tiles(const KernelScene<MM_REAL>& scene, const 
     return d.spent;
 }
 
-// Calls draw_tiles() with Sampling and Shading as template parameters, so that its address can be stored in a Variant.
+// Calls draw_tiles(). Sampling and Shading are template parameters, so that the address of this function has the type
+// DrawTiles and can be stored in a Variant.
 template <const Sampling& sampling, const Shading& shading>
 WorkCounts draw(const KernelScene<MM_REAL>& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* memory)
 {

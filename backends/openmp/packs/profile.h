@@ -47,8 +47,8 @@ HWY_NOINLINE HWY_MAYBE_UNUSED void store_packs(Drawing& d, int packs, const Pixe
     }
 }
 
-// Clock that times the passes. When the pool of ended rays is a quarter full, it shades them in the three passes, so
-// that other passes rarely have to shade.
+// Clock that times the passes. When the pool of ended rays is a quarter full, the clock shades these rays in the three
+// passes, so that other passes rarely have to shade.
 class StageClock {
 public:
     StageClock(ProfileMemory& memory, double (*now)(), double* seconds)
@@ -89,8 +89,8 @@ private:
     double last_;
 };
 
-// Renders tiles until none are left, and adds the seconds of each Stage to `seconds`. `at`: a ProfileMemory. The given
-// Shading is used only when another pass must make room in the pool of ended rays.
+// Renders tiles until none are left, and adds the seconds of each Stage to `seconds`. `at`: address of a ProfileMemory.
+// The given Shading is used only when another pass must make room in the pool of ended rays.
 template <const Sampling& sampling, const Shading& shading>
 void profile(const KernelScene<MM_REAL>& scene, const Canvas<MM_REAL>& canvas, const Tiles& tiles, void* at,
              double (*clock)(), double* seconds)

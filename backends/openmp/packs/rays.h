@@ -43,7 +43,7 @@ struct Fields {
     unsigned wholes;
 };
 constexpr Fields every_field{direction_bits | end_bit | t_bit | sample_bits | room_bit, every_whole};
-constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits, every_whole};  // for rays that leave no depth
+constexpr Fields roomless{direction_bits | end_bit | t_bit | sample_bits, every_whole};  // for rays that store no depth
 constexpr Fields arrived{roomless.reals, MM_COUNTED ? every_whole : pixel_bit};          // for a HitPack
 constexpr Fields arrived_sharing{arrived.reals | shared_bits, arrived.wholes};
 constexpr Fields probed{direction_bits | t_bit, 0};  // fields that a DE evaluation needs
@@ -52,7 +52,8 @@ constexpr Fields room_alone{room_bit, 0};
 constexpr Fields marched{t_bit | sample_bits, steps_bit | work_bits};
 constexpr Fields refined{end_bit | t_bit | sample_bits, work_bits};
 
-// Calls on_field(n, field) for each field whose bit n is in `some`. The fields are numbered in order, from n.
+// Calls on_field(number, field) for each field whose bit is set in `some`. The first field has the number n, the next
+// one n + 1, and so on.
 template <unsigned some, unsigned n = 0, class OnField, class Field, class... Rest>
 HWY_INLINE void each_of(OnField& on_field, Field& field, Rest&... rest)
 {
@@ -129,8 +130,8 @@ HWY_INLINE int lanes_on(const mask& on)
     return lanes;
 }
 
-// Moves the active lanes to the front. For 64-bit lanes Highway uses a table even if the CPU has an instruction for it,
-// so this instruction is used directly.
+// Moves the active lanes to the front. AVX-512 has an instruction for this. Highway uses a table instead if lanes have
+// 64 bits, so the instruction is called directly.
 HWY_INLINE hn::Vec<Reals> compressed(hn::Vec<Reals> a, hn::Mask<Reals> on)
 {
 #if HWY_TARGET <= HWY_AVX3 && !MM_REAL_IS_FLOAT
@@ -203,7 +204,7 @@ HWY_INLINE whole lane_numbers()
     return a;
 }
 
-// Finds the active hits that need refinement, sets the t of their next sample, and returns their mask.
+// Finds the active hits that need refinement, sets the t of their next sample, and returns the mask of these hits.
 HWY_INLINE mask aim(const Scene& scene, Hit& hit, const mask& on)
 {
     const mask coarse = on && refining(scene, hit);

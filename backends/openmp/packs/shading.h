@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shading of packs of hits, for pools.
 
-// Stores the occlusion of hits on the canvas. The hits of later pixels between them can share it.
+// Stores the occlusion of hits on the canvas. The pixels in between, which are rendered later, can share it.
 HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& pixels, const Occlusion& found,
                                    const mask& on)
 {
@@ -19,7 +19,7 @@ HWY_INLINE void leave_surroundings(const Canvas<MM_REAL>& canvas, const whole& p
 }
 
 // Shades the first `count` hits of a pool in a picture with shared occlusion. If the template argument `shared` is
-// true, the hits already have the occlusion of their neighbours; otherwise it is computed.
+// true, the hits already have the occlusion of their neighbours; otherwise their occlusion is computed.
 template <bool shared>
 HWY_NOINLINE void shade_among_rays(const KernelScene<MM_REAL>& data, const Pool& pool, int count,
                                    const Canvas<MM_REAL>& canvas, WorkCounts& spent)

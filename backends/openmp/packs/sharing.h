@@ -41,7 +41,7 @@ struct Around {
 };
 
 // Finds the active hits that can share occlusion, sets their shared occlusion to the mean of their neighbours', and
-// returns their mask.
+// returns the mask of these hits.
 HWY_INLINE mask find_shared(const Drawing& d, HitPack& a, const mask& on)
 {
     const auto gathered = [](const MM_REAL* from, hn::Vec<Wholes> at, hn::Mask<Reals> there) MM_INLINED {
@@ -78,6 +78,6 @@ HWY_INLINE mask find_shared(const Drawing& d, HitPack& a, const mask& on)
     return shared;
 }
 
-// Returns true if the hits of this lattice share occlusion. Only the last lattice does, whose neighbours are two pixels
-// apart.
+// Returns true if the hits of this lattice share occlusion. Only those of the last lattice do, whose neighbours are two
+// pixels apart.
 HWY_INLINE bool shares(const Drawing& d) { return d.canvas.sunwards != nullptr && d.canvas.lattice.before == 2; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Begins the rays of a square of pixels of a lattice.
 
-// A square of `across` x `across` pixels of a lattice. Adjacent ones are 2^log2_apart pixels of the picture apart.
+// A square of `across` x `across` pixels of a lattice. In the picture, adjacent pixels of the square are 2^log2_apart
+// pixels apart.
 struct Square {
     int left;  // column of the first pixel
     int bottom;
@@ -73,7 +74,7 @@ HWY_NOINLINE void begin_square(Drawing& d, const Square& square, bool painted)
         a.pixel = load_lanes(lanes.pixel) + whole(static_cast<Int>(y0 - d.canvas.first_row) * scene.width + x0);
         const real from = load_lanes(square.block_start + n);
         const real start = load_lanes(square.neighbour_start + n);
-        // Numbers of the lattice's columns and rows from here to the band's edges.
+        // Numbers of the lattice's columns and rows from (x0, y0) to the band's edges.
         const int columns = ((scene.width - 1 - x0) >> square.log2_apart) + 1;
         const int rows = ((d.canvas.end_row - 1 - y0) >> square.log2_apart) + 1;
         mask on = x < whole(static_cast<Int>(columns)) && y < whole(static_cast<Int>(rows));

@@ -93,7 +93,7 @@ struct BmpPixels {
     std::array<BmpMask, 3> masks{BmpMask{16, 255}, BmpMask{8, 255}, BmpMask{0, 255}};  // red, green, blue
 };
 
-constexpr std::uint32_t bit_fields = 3, alpha_bit_fields = 6;  // values of `compression` for uncompressed with masks
+constexpr std::uint32_t bit_fields = 3, alpha_bit_fields = 6;  // values of `compression`: uncompressed, with masks
 
 template <class Refuse>
 BmpMask bmp_mask(std::uint32_t bits, const Refuse& refuse)

@@ -89,7 +89,8 @@ void insert_channels(Imf::ChannelList& channels)
     for (const char* name : exr_counts) channels.insert(name, Imf::Channel(Imf::UINT));
 }
 
-// OpenEXR's output stream to an OutputFile that can seek.
+// An output stream that OpenEXR writes to. Passes the data to an OutputFile, which must be able to seek (see
+// OutputFile::is_stream()).
 class FileStream : public Imf::OStream {
 public:
     FileStream(OutputFile& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
@@ -138,7 +139,7 @@ void encode(Imf::OStream& stream, const Image& image)
     }
 }
 
-// OpenEXR's input stream from memory.
+// An input stream that OpenEXR reads from. Reads from memory.
 class MemoryStream : public Imf::IStream {
 public:
     MemoryStream(std::span<const std::byte> data, const std::string& name) : Imf::IStream(name.c_str()), data_(data) {}
@@ -165,7 +166,7 @@ constexpr int largest_tile = 4096;                // pixels, both sides
 constexpr std::uint64_t largest_block = 256;      // lines that are encoded together, in DWAB files
 constexpr std::uint64_t usual_block = 640 << 20;  // bytes, enough for the widest picture
 
-constexpr std::size_t first_attribute = 8;  // its position in bytes, after the magic number and the version
+constexpr std::size_t first_attribute = 8;  // position in bytes, behind the magic number and the version
 
 // Throws Error if an attribute of the header claims more bytes than the file has. OpenEXR would allocate them.
 void check_attributes(std::span<const std::byte> data)
@@ -198,7 +199,8 @@ struct ExrChannels {
     bool light = true;            // R, G and B are linear light; false for old files of this program
 };
 
-// Checks the file's header before OpenEXR allocates the memory that the header claims. Throws if it is not acceptable.
+// Checks the file's header before OpenEXR allocates the memory that the header claims. Throws if the header is not
+// acceptable. Returns the file's channels.
 ExrChannels check_header(std::span<const std::byte> data, const std::string& name)
 {
     MemoryStream stream(data, name);
@@ -232,7 +234,8 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
     // OpenEXR decodes a row of tiles or a block of lines at once.
     const auto lines = Imf::isTiled(version) ? header.tileDescription().ySize : largest_block;
     const std::uint64_t block = static_cast<std::uint64_t>(width) * lines * bytes;
-    // A file decodes to at most 2 * deflate_ratio times its size; DWA may store one number for a block of 8 x 8 pixels.
+    // A file decodes to at most 2 * deflate_ratio times its size, or with DWA compression to 64 times as much, because
+    // one number may then stand for a block of 8 x 8 pixels.
     const auto packing = header.compression();
     const bool dwa = packing == Imf::DWAA_COMPRESSION || packing == Imf::DWAB_COMPRESSION;
     const std::uint64_t most = data.size() * 2 * deflate_ratio * (dwa ? 64 : 1);

@@ -17,8 +17,8 @@ enum class ImageFormat { bmp, png, pnm, jpeg, exr };
 // The supported endings of file names, for messages.
 inline constexpr std::string_view image_endings = ".bmp, .png, .ppm, .jpg or .exr";
 
-// Returns the format that the ending of a file name stands for, in upper or lower case; nullopt if the name has no
-// ending or an unknown one.
+// Returns the format that the ending of a file name stands for. The case of letters does not matter. Returns nullopt if
+// the name has no ending or an unknown one.
 std::optional<ImageFormat> image_format(const std::string& path);
 
 // Returns the layers that the format can store.
@@ -29,9 +29,9 @@ Image::Layers layers_of(ImageFormat format);
 void check_image_size(ImageFormat format, int width, int height);
 
 // Writes the picture to a file that appears completely or not at all. JPEG is lossy. EXR needs an image with all
-// layers. Its channels are R, G and B (linear light: the displayed values without the sRGB curve); displayed.R,
-// displayed.G and displayed.B; Z (the depth t, +infinity without a hit); steps; and iterations. Throws Error with the
-// path and the cause.
+// layers. The channels of an EXR file are R, G and B (linear light: the displayed values without the sRGB curve);
+// displayed.R, displayed.G and displayed.B; Z (the depth t, +infinity without a hit); steps; and iterations. Throws
+// Error with the path and the cause.
 void write_image(const std::string& path, ImageFormat format, const Image& image);
 
 // Reads a picture. Its first bytes determine the format:
@@ -47,7 +47,8 @@ void write_image(const std::string& path, ImageFormat format, const Image& image
 // header claims more pixels than the file or the memory can hold.
 Image read_image(const std::string& path);
 
-// Decode a file that is in memory, as read_image() does. Messages call it `name`. Throw InputError.
+// Decoders, which read_image() uses. Each decodes a file that is in memory, and calls it `name` in messages. Throws
+// InputError.
 Image decode_bmp(std::span<const std::byte> data, const std::string& name);
 Image decode_png(std::span<const std::byte> data, const std::string& name);
 Image decode_exr(std::span<const std::byte> data, const std::string& name);

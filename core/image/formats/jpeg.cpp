@@ -32,8 +32,8 @@ struct JpegErrors {
     }
 };
 
-// Destination of libjpeg's output, which writes it to the file. Exceptions must not pass through C code, so it stores
-// the first file error.
+// Receives libjpeg's output and writes it to the file. Exceptions must not pass through C code, so the first error of
+// the file is stored.
 struct JpegSink {
     jpeg_destination_mgr manager;
     OutputFile* file;
@@ -74,8 +74,8 @@ struct JpegSink {
     }
 };
 
-// Compresses the picture. Returns false if libjpeg reported an error. Has no objects with destructors, because the long
-// jump would skip these.
+// Compresses the picture. Returns false if libjpeg reported an error. Contains no objects with destructors, because
+// longjmp() would skip the destructors.
 bool compress(jpeg_compress_struct& info, JpegErrors& errors, const Image& image)
 {
     if (setjmp(errors.back) != 0) return false;

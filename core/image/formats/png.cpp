@@ -34,7 +34,8 @@ ssize_t write_to_sink(void* cookie, const char* data, std::size_t size)
     }
 }
 
-// Returns the row stride for libpng. It is negative, because libpng begins with the top row.
+// Returns the row stride for libpng. It is negative, because libpng begins with the top row and an Image with the
+// bottom row.
 png_int_32 row_stride(const Image& image) { return -3 * image.width(); }
 
 }  // namespace
@@ -67,7 +68,7 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
     if (png_image_begin_read_from_memory(&header, data.data(), data.size()) == 0) refuse(header.message);
     check_claim(name, {.width = header.width,
                        .height = header.height,
-                       .pixel_bits = 1,  // at least
+                       .pixel_bits = 1,  // min of all kinds of PNG
                        .most_bytes = data.size() * deflate_ratio,
                        .decoder = 0,
                        .layers = Image::Layers::bytes});

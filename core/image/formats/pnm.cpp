@@ -35,7 +35,7 @@ public:
         if (most_ < 1 || most_ > 0xffff) refuse_pnm(name_, fmt::format("its largest value is {}", most_));
         const std::size_t bytes = most_ < 256 ? 1 : 2;
         // If the pixels are bytes, one blank separates them from the header. If they are text, each value needs at
-        // least a digit and a blank.
+        // least a digit and a blank, but the last needs no blank.
         const std::size_t left = data_.size() - std::min(data_.size(), at_ + (text ? 0 : 1));
         check_claim(name_, {.width = width,
                             .height = height,

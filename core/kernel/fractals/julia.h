@@ -33,7 +33,7 @@ FN real quaternion_inner(Quaternion p, Quaternion q) { return p.a * q.a + p.i * 
 FN real vector_inner(Quaternion p, Quaternion q) { return p.i * q.i + p.j * q.j + p.k * q.k; }
 
 // Returns |z|^2, but at least 1e-30, so that no term that matters is flushed to zero. A point so close to 0 is
-// certainly inside.
+// certainly inside the set.
 FN real julia_r2(Quaternion z) { return larger(quaternion_inner(z, z), R(1.0e-30)); }
 
 FN Quaternion julia_next(Scene scene, Quaternion z)

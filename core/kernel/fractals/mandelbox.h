@@ -48,8 +48,9 @@ struct BoxOrbit {
     counter iterations;
 };
 
-// Iterates the orbit of p until it escapes or its tail begins. `usual` is a compile-time constant. With 1 the factor is
-// the max of two terms, which requires s > 0 and rMin <= rFixed; 0 works for all scenes.
+// Iterates the orbit of p until it escapes or its tail begins. `usual` is a compile-time constant. If it is 1, the
+// factor of an iteration is computed as the max of two terms, which requires s > 0 and rMin <= rFixed. 0 works for all
+// scenes.
 FN BoxOrbit box_orbit(Scene scene, vec3 p, mask on, int usual)
 {
     BoxOrbit a;
@@ -203,7 +204,7 @@ FN BoxFar box_farther(Scene scene, vec3 q, BoxFar a, mask on)
 }
 
 // Returns the derivative of DE along the tangent v, multiplied by k, which is positive. `direct`: the component of
-// end.direct along that axis, times the component of end.z.
+// end.direct along the tangent's axis, times the same component of end.z.
 FN real box_slope(Scene scene, BoxFar end, real direct, real length, BoxTangent v)
 {
     vec3 towards = vec3(end.z.x * end.slope.x, end.z.y * end.slope.y, end.z.z * end.slope.z);

@@ -150,7 +150,7 @@ FN_SAMPLED Estimate estimate_eighth(Scene scene, vec3 p, mask on)
     on = on && r2 <= bailout2;
     int i = 0;
     while (i < scene.max_iterations && any(on)) {
-        // Inactive lanes are updated, too, because their z is not used any more.
+        // Updates z in inactive lanes, too. This is harmless, because their z is not used any more.
         BulbEighth next = bulb_eighth(scene, z, rho2, r2, q);
         dr = pick(on, dr * next.growth + 1, dr);
         z = next.z;

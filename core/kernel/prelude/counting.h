@@ -4,10 +4,10 @@
 // `additions`, `multiplications`, `divisions` and `square_roots`. Include it inside a namespace and before the kernel
 // source; undefine.h removes its macros.
 //
-// An operation is a + b, a - b, a * b, quotient(a, b) or root(a), of numbers of the lane or of one such number and a
-// scene parameter. Operations on values that are the same in all lanes are not counted, nor are comparisons, picks,
-// signs, absolute values, conversions, rounding to integers, exponents and integer arithmetic. A multiply-add is two
-// operations.
+// An operation is a + b, a - b, a * b, quotient(a, b) or root(a). Its operands are numbers of the lane; one of two
+// operands may be a scene parameter instead. Operations on values that are the same in all lanes are not counted, nor
+// are comparisons, picks, signs, absolute values, conversions, rounding to integers, exponents and integer arithmetic.
+// A multiply-add is two operations.
 
 #define FN inline
 namespace plain {

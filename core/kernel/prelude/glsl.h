@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prelude in GLSL 460; an invocation processes one pixel. Before it, define MM_REAL_IS_FLOAT (1 or 0) and MM_QUOTIENTS,
-// the method for float divisions and square roots. 0: the device's own. 1: in double, rounded once to float; the result
-// is correctly rounded even if the double division is 2.5 ulp off, as Vulkan allows. 2: in float, corrected by exact
-// residuals.
+// Prelude in GLSL 460; an invocation processes one pixel. Before including it, define MM_REAL_IS_FLOAT (1 or 0) and
+// MM_QUOTIENTS, the method for float divisions and square roots. 0: the device's own. 1: in double, rounded once to
+// float; the result is correctly rounded even if the double division is 2.5 ulp off, as Vulkan allows. 2: in float,
+// corrected by exact residuals.
 
 #define FN
 #define FN_CALLED

@@ -86,7 +86,8 @@ FN real pick(mask on, real a, real b) { return on ? a : b; }
 
 FN whole count(mask on) { return on & 1; }
 
-// Combines the halves of a mask until two lanes are left. The any() of some drivers tests the lanes one by one.
+// Combines the halves of a mask until two lanes are left. This replaces the any() of OpenCL, which some drivers compute
+// by testing the lanes one by one.
 #undef any
 #define any(on) any_lane(on)
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude for packs of MM_REGISTERS native SIMD registers, written with Google Highway. The registers of a pack are
-// independent of each other, so the operations of one hide the latency of another's. Before including it, define
-// MM_REAL, MM_REAL_IS_FLOAT, MM_FAST (1: fast mode, 0: exact), MM_REGISTERS and MM_COUNTED (1: counts work, 0: does
-// not). Include it inside a namespace in HWY_NAMESPACE and before the kernel source.
+// independent of each other, so the operations on one register hide the latency of those on another. Before including
+// it, define MM_REAL, MM_REAL_IS_FLOAT, MM_FAST (1: fast mode, 0: exact), MM_REGISTERS and MM_COUNTED (1: counts work,
+// 0: does not). Include it inside a namespace in HWY_NAMESPACE and before the kernel source.
 
 #if !defined(MM_REAL) || !defined(MM_REAL_IS_FLOAT) || !defined(MM_FAST) || !defined(MM_REGISTERS) || \
     !defined(MM_COUNTED)
@@ -200,7 +200,7 @@ FN real pick(const mask& on, const real& a, const real& b)
 }
 
 #if HWY_ARCH_X86
-// These instructions of x86 return the second operand if an operand is NaN, as the kernel source requires.
+// The max and min instructions of x86 return the second operand if an operand is NaN, as the kernel source requires.
 #define MM_HAS_LARGER
 FN real larger(const real& a, const real& b)
 {

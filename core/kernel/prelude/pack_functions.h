@@ -21,7 +21,7 @@ FN counter tally(counter a, const mask&) { return a; }
 
 #if HWY_TARGET <= HWY_AVX3
 #define MM_HAS_CLIPPED
-// Returns, of a and `most`, the value with the smaller magnitude, with the sign of a. (Operation 2 of VRANGEPS.)
+// Returns the smaller one of |a| and `most`, with the sign of a. (Operation 2 of VRANGEPS.)
 FN real clipped(real a, scalar most)
 {
     const auto one = hn::Set(Reals(), most);

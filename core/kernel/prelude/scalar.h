@@ -13,8 +13,8 @@
 #define any(on) (on)
 #define count(on) ((on) ? 1 : 0)
 
-// Both functions round to the nearest integer, ties to even. nvptx has an instruction for nearbyint, and x86 computes
-// rint with a few instructions; on either one, the other function would be a call.
+// nearbyint and rint both round to the nearest integer, ties to even. nvptx has an instruction for nearbyint, and x86
+// computes rint with a few instructions. If the two functions were exchanged, each would be a call of a library.
 #if defined(_OPENACC) || defined(MM_OFFLOADED)
 #define MM_NEAREST(suffix) __builtin_nearbyint##suffix
 #else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// MM_VECTORLESS is not 0 for Highway's targets for which no packs are compiled: its fallback for machines without
-// vectors, whose name differs between g++ and clang++, and SSE2, which newer versions of Highway place below SSE4.
+// MM_VECTORLESS is not 0 if Highway's present target is one for which no packs are compiled. There are two such
+// targets: Highway's fallback for machines without vectors, whose name differs between g++ and clang++, and SSE2, a
+// target below SSE4 that only newer versions of Highway have.
 #pragma once
 
 #ifdef HWY_SSE2

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words that are the same in all preludes in C++, which include this file.
+// Definitions that all preludes in C++ include, because they are the same in each.
 
 #if !defined(MM_REAL) || !defined(MM_REAL_IS_FLOAT)
 #error "expected definitions of MM_REAL and MM_REAL_IS_FLOAT"

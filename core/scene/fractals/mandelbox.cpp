@@ -34,9 +34,10 @@ std::string_view objection(const Scene& scene)
 
 // Returns the radius at which tails (see Fractal::add_tail) of three or four iterations begin; 0 if there are no tails.
 // Outside this radius r, an iteration multiplies r by |s|, except for a change of at most 2 |s| sqrt 3 by the box fold,
-// and adds p. The factor 0.96 was found by experiment: nearly all orbits escape in the third or fourth iteration from
-// there. An orbit rarely returns to the spheres of the sphere fold if r is about twice the fractal's extent; the
-// coordinates of p exceed that extent only a little. tests/unit/tail_test.cpp counts the exceptions.
+// and adds p. The factor 0.96 was found by experiment: with it, nearly all orbits escape in the third or fourth
+// iteration of the tail. If r is about twice the fractal's extent, an orbit outside rarely returns to the spheres of
+// the sphere fold, because the coordinates of p exceed that extent only a little. tests/unit/tail_test.cpp counts the
+// exceptions.
 double tail_radius(const Scene& scene)
 {
     const auto [scale, inner, fixed] = scene.shape;
