@@ -73,7 +73,7 @@ Result run_again(const std::vector<std::string>& arguments, int run)
     words.insert(words.end(), {"--quiet", "--json", "-", "--run", std::to_string(run)});
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     const int code = ChildProcess({.words = std::move(words), .program = program, .output = file.number()}).end().code;
-    // bench leaves a result with these two exit codes only (failure: a wrong picture).
+    // bench writes a result only if it ends with one of these two exit codes. exit_failure means a wrong picture.
     if (code != exit_success && code != exit_failure) throw Error(fmt::format("ended with {}", code));
     const std::string text = file.text();
     if (text.empty()) throw Error(fmt::format("ended with {} and left no result", code));
