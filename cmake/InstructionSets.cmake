@@ -32,7 +32,7 @@ else()
 endif()
 
 # Highway has a bit for every instruction set. The lowest fourteen bits belong to the x86 instruction sets beyond SSE2.
-# All of these are disabled except the selected ones.
+# All of these sets are disabled, except the selected ones.
 function(mandelmarch_instruction_sets target)
     target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(0x3fffLL&~(${instruction_sets}))")
     if(MANDELMARCH_SANITIZER)

@@ -99,7 +99,7 @@ std::optional<Interval> median_interval(std::span<const double> values)
     std::vector<double> sorted(values.begin(), values.end());
     std::ranges::sort(sorted);
     const std::size_t n = sorted.size();
-    double probability = std::pow(0.5, static_cast<double>(n));  // of exactly j values below the median
+    double probability = std::pow(0.5, static_cast<double>(n));  // that exactly j values are below the median
     double below = 0;
     std::size_t k = 0;
     for (std::size_t j = 0; j < n; ++j) {
@@ -209,10 +209,10 @@ Difference difference(std::span<const double> old_values, std::span<const double
 
 Difference paired_difference(std::span<const double> ratios, double margin) { return tested(moments(ratios), margin); }
 
-// The error of a ratio follows from that of the sum of the residuals part - ratio * whole (Cochran, Sampling
-// Techniques, 6.3). With one patch per stratum, the variance within a stratum cannot be computed. It is estimated by
-// half the squared difference of the residuals in neighbouring strata. This estimate tends to be too large if strata
-// differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
+// The error of the ratio is the error of the sum of the residuals, `part - ratio * whole`, divided by the sum of
+// `whole` (Cochran, Sampling Techniques, 6.3). With one patch per stratum, the variance within a stratum cannot be
+// computed. It is estimated by half the squared difference of the residuals in neighbouring strata. This estimate tends
+// to be too large if strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
 PartRatio ratio_of_sums(std::span<const Part> blocks)
 {
     Part sum;

@@ -42,12 +42,12 @@ Summary summary(std::span<const double> values);
 // Summarises values from several runs. Values of the same run share that run's error, so they are not independent.
 Summary summary(const ValuesByRun& runs);
 
-// Returns the 95 % interval of the mean over runs. `medians`: the median of each run. The interval is computed with
-// Student's t from the logarithms of the medians; the degrees of freedom are one less than the runs. Returns nullopt
-// for fewer than two runs, or if a value is not above 0.
+// Returns the 95 % interval of the geometric mean over all possible runs. `medians`: the median of each run. The
+// interval is computed with Student's t from the logarithms of the medians; the number of degrees of freedom is the
+// number of runs minus one. Returns nullopt if there are fewer than two runs, or if a median is not above 0.
 std::optional<Interval> run_interval(std::span<const double> medians);
 
-// Returns the medians of the runs, in their order.
+// Returns the median of each run, in the order of the runs.
 std::vector<double> medians_of(const ValuesByRun& runs);
 
 // Divides the values, from consecutive rounds of one run, into groups of at least three, and returns the median of each
@@ -61,9 +61,9 @@ std::vector<double> group_medians(std::span<const double> values);
 // distribution. Returns nullopt if even the smallest and the largest value do not suffice (n < 6).
 std::optional<Interval> median_interval(std::span<const double> values);
 
-// Result of a test whether two sets of values differ by more than a margin.
+// Result of a test that finds out whether two sets of values differ by more than a margin.
 struct Difference {
-    double ratio = 1;    // of the geometric means, new / old
+    double ratio = 1;    // ratio of the geometric means, new / old
     Interval interval;   // 95 % interval of the ratio, not corrected for other tests
     double p = 1;        // max probability of a ratio at least this far from 1 if the true one is within the margin
     double degrees = 0;  // degrees of freedom

@@ -20,7 +20,8 @@ enum class DuelClock {
 };
 std::string_view name_of(DuelClock clock);
 
-// Times of two pictures of a configuration: each program renders one, directly after the other, in random order.
+// Times of a pair of pictures of a configuration. Each program renders one of them, one directly after the other; the
+// order is random.
 struct DuelPair {
     int run = 0, round = 0;
     double old_seconds = 0, new_seconds = 0;
@@ -63,7 +64,7 @@ nlohmann::ordered_json json_of(const Duel& duel);
 
 struct DuelOptions {
     std::string old_program, new_program;  // paths
-    Options rows;                          // which configurations take part
+    Options rows;                          // the configurations to compare
     double margin = 0.01;
     DuelClock clock = DuelClock::wall;
     int runs = 10;    // processes of each program

@@ -21,15 +21,15 @@ namespace mandelmarch::bench {
 enum class RaceVerdict {
     same,        // all bytes of the picture are as expected
     close,       // at most 2 % of the pixels differ visibly
-    wrong,       // more pixels differ visibly
+    wrong,       // more than 2 % of the pixels differ visibly
     wrong_size,  // the picture has another size
     no_picture,  // exit code 0, but no output file
     no_image,    // the output file is not a picture
-    unsteady,    // a later picture was wrong
+    unsteady,    // the first picture was correct, but a later one was wrong
     failed,      // exit code other than 0
     crashed,     // ended by a signal
     hung,        // killed at the time limit
-    no_start     // the system cannot run it
+    no_start     // the system cannot run the program
 };
 std::string_view name_of(RaceVerdict verdict);
 

@@ -275,8 +275,8 @@ private:
         }
     }
 
-    // Runs a program on the round's view and checks its picture. Does nothing if an earlier picture of the program was
-    // not right.
+    // Runs a program on the round's view and checks its picture. Does nothing if an earlier picture of this program was
+    // wrong.
     void again(std::size_t i, int round)
     {
         RacedProgram& racer = race_.racers[i];

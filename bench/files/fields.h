@@ -29,7 +29,7 @@ namespace mandelmarch::bench {
 
 using Json = nlohmann::ordered_json;
 
-// The value of a field that is stored as null; `none`: no value is.
+// The value that a field stores as null: an empty text, 0 or infinity. `none`: it stores no value as null.
 enum class Null { none, empty, zero, infinite };
 
 // The largest integer up to which JSON readers, which may use doubles, represent every integer exactly.
@@ -61,7 +61,7 @@ constexpr Field<Member, false> derived_field(const char* key, Member member, con
     return {key, member, column, rule};
 }
 
-// Fields<Record>::name is the record's name in the schema, Fields<Record>::list a std::tuple of its fields.
+// Fields<Record>::name is the record's name in the schema. Fields<Record>::list is a std::tuple of the record's fields.
 template <class Record>
 struct Fields;
 template <class T>

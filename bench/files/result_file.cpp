@@ -50,7 +50,7 @@ void check(const Result& result)
     }
 }
 
-// Returns the result that the JSON holds. Throws Refusal.
+// Returns the result that the JSON holds. Throws Refusal if it is not a valid result.
 Result result_of(Json json)
 {
     if (schema_in(json) != result_schema) throw Refusal{"", "not a result of bench"};

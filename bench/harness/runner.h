@@ -51,8 +51,8 @@ struct Rules {
 // Returns the rules that follow from the options and their study.
 Rules rules_of(const Options& options);
 
-// Marks each configuration whose picture takes longer than rules.long_picture as done; the verified picture is its only
-// sample. Does nothing if the number of rounds is given.
+// If a configuration's picture takes longer than rules.long_picture, marks the configuration as done and takes the
+// verified picture as its only sample. Does nothing if rules.repetitions is given.
 void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules);
 
 // Renders the rounds and adds the samples to the configurations. If a backend throws, or a picture differs from the

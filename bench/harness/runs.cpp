@@ -67,7 +67,7 @@ Result with_further_runs(Result first, int count, const RunProcess& run)
 Result run_again(const std::vector<std::string>& arguments, int run)
 {
     const MemoryFile file;
-    // Start this program again, by the name by which it was called.
+    // Start this program again, under the name by which it was called.
     std::vector<std::string> words{program_invocation_name};
     words.insert(words.end(), arguments.begin(), arguments.end());
     words.insert(words.end(), {"--quiet", "--json", "-", "--run", std::to_string(run)});

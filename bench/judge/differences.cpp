@@ -40,7 +40,7 @@ std::string words(const Json& value)
     return printable(value.is_string() ? value.get<std::string>() : value.dump(), 200);
 }
 
-// Returns the flags that the first CPU has and the second lacks, separated by spaces.
+// Returns the CPU flags in `flags` that are not in `others`, separated by spaces; "none" if there are none.
 std::string only_in(const Json& flags, const Json& others)
 {
     std::string only;

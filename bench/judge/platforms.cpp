@@ -33,7 +33,7 @@ bool same_boot(const Result& a, const Result& b)
     return boot.is_string() && boot == value_at(b.environment, "/os/boot");
 }
 
-// Returns true if both results have the same facts of the CPU. A fact that only one result has is ignored.
+// Returns true if the facts about the CPU are the same in both results. A fact that only one result has is ignored.
 bool same_facts(const Result& a, const Result& b)
 {
     for (const char* fact : {"/cpu/stepping", "/cpu/flags", "/cpu/caches", "/cpu/cores_usable"}) {

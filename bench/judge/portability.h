@@ -5,7 +5,7 @@
 // Here an application is a backend, a platform is a device, and a problem is a fractal at one size, in one precision
 // and mode. An application with the efficiencies e_i on the platforms of a set H has the performance portability
 //   PP = |H| / sum of 1 / e_i   if every platform of H is supported, else 0.
-// An application's H holds the platforms of all results, except those on which it was not measured.
+// An application's H holds the platforms of all results, except those on which the application was not measured.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -46,8 +46,8 @@ struct Usage {
     double ticks = 0;
 };
 
-// Parses /proc/PID/stat. The name in parentheses may contain any character. After it, the parent is field 4; user and
-// system time, of the process and of children waited for, are fields 14 to 17 (proc(5)).
+// Parses /proc/PID/stat (proc(5)). Field 2, the name in parentheses, may contain any character. Field 4 is the parent.
+// Fields 14 to 17 are the user and system time of the process, and of the children for which it has waited.
 Usage usage_of(const std::filesystem::path& process)
 {
     std::ifstream file(process / "stat");

@@ -50,7 +50,7 @@ struct GpuState {
     std::string name;
     std::optional<double> joules;               // since the driver was loaded
     std::optional<double> watts, celsius;       // current values
-    std::optional<double> sm, most_sm, memory;  // clock frequencies, MHz: multiprocessors, their maximum, memory
+    std::optional<double> sm, most_sm, memory;  // MHz: multiprocessors' clock, its maximum, the memory's clock
     std::optional<std::string> throttled;       // reason for a reduced clock frequency, "idle" or "none"
 };
 

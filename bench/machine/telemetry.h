@@ -28,8 +28,8 @@ public:
     //   counters: {"cycles", "instructions", ...}, from perf, for the threads of this process and all threads and
     //     processes that they start; each may be null
     //   gpus: [{"name", "joules", "watts", "celsius", "sm_megahertz", "most_sm_megahertz", "memory_megahertz",
-    //     "throttled"}], from NVML, for the whole GPU. joules: since construction; all other values are current; null
-    //     if unknown. throttled: reason for a reduced clock frequency, "idle" or "none".
+    //     "throttled"}], from NVML, for the whole GPU. joules: energy since construction; all other values are current.
+    //     An unknown value is null. throttled: reason for a reduced clock frequency, "idle" or "none".
     nlohmann::ordered_json since_start() const;
 
 private:

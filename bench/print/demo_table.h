@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of the study `demo`, in lines that anybody can read.
+// The table of the study `demo`.
 #pragma once
 
 #include <string>

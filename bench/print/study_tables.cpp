@@ -49,7 +49,7 @@ std::string errors_of(const Result& result)
         100 * of_iterations, 100 * of_operations, 100 * of_lanes);
 }
 
-// Returns a table of the counted work, which explains why one fractal is slower than the other.
+// Returns a table of the counted work, which explains why one fractal is slower than another.
 std::string counts_table(const Result& result)
 {
     std::string text = fmt::format(

@@ -72,7 +72,7 @@ struct Figures {
     // if a sample consists of several pictures from a fresh renderer, because its wall time then has further parts.
     std::optional<double> unaccounted;
     double pixel_rate = 0;                         // pixels per second of kernel time
-    double estimate_rate = 0, iteration_rate = 0;  // per second of kernel time
+    double estimate_rate = 0, iteration_rate = 0;  // DE evaluations and DE iterations per second of kernel time
     std::optional<double> operation_rate;          // counted operations per second of kernel time
     std::optional<double> peak;                    // the platform's peak in this precision, operations per second
     std::optional<double> share;                   // operation_rate / peak
@@ -100,7 +100,7 @@ struct Row {
     std::string device_name, vendor, driver, instruction_set;
     std::string platform;  // the GPU's name, or Cpu::platform() for every device that runs on the CPU
     bool is_gpu = false;
-    int threads = 0, simd_width = 0;  // actually used
+    int threads = 0, simd_width = 0;  // the numbers that were used
     Verification verification;
     double context = 0, build = 0;  // seconds, of the first picture
     // Results of the trial before the verified picture (see RenderStats); both 0 if there was no trial.

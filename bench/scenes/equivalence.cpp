@@ -21,7 +21,7 @@ namespace {
 constexpr Precision precisions[] = {Precision::f32, Precision::f64};
 constexpr int widest_pack = 64;
 constexpr double few_pixels = 12;
-constexpr double most_iterations = 2e6;  // per scene, approximately: less than a tenth of a second on one core
+constexpr double most_iterations = 2e6;  // approximate DE iterations per scene: less than 0.1 s on one core
 
 struct Drawn {
     Image image;

@@ -26,7 +26,7 @@ struct RandomOptions {
 // Result of one scene in one precision.
 struct RandomRow {
     unsigned set = 0;
-    int number = 0;  // index of the scene in its set
+    int number = 0;  // index of the scene among those of its fractal and set
     Scene scene;
     Precision precision = Precision::f64;
     Comparison off;  // difference from the canonical picture

@@ -150,7 +150,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     std::vector<Case> without_device;
     for (const auto& backend : registry.backends()) {
         const BackendInfo info = backend->info();
-        // Include the baselines even if --backend does not name them, as speed-ups are computed from them.
+        // Include the baselines even if --backend does not name them, because speed-ups are computed from them.
         const bool baseline = baselines && (info.role == Role::reference || info.role == Role::host);
         if ((!asked(*backend) && !baseline) || !study.measures(info)) continue;
         Listing listing = listing_of(*backend);

@@ -192,7 +192,7 @@ std::vector<Study> all_studies()
          .modes = both_modes,
          .counts = false,
          .peaks = false,
-         .row_budget = 30},  // the reference needs seconds for a picture
+         .row_budget = 30},  // the reference needs seconds for one picture
         {.name = demo_study,
          .about = "the standard study, in a minute: one device per backend, few rounds; bin/demo",
          .measures = any_backend,
