@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Protocol of `bench duel`, and the part of the processes that a duel starts: they render pictures at its request.
+// Protocol of `bench duel`. A duel starts processes of bench, which call draw_on_demand() to render pictures at the
+// duel's request.
 #pragma once
 
 #include <functional>

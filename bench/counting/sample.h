@@ -36,10 +36,10 @@ void each_pixel(const Block& block, int width, int height, Each each)
 // picture.
 std::vector<Block> all_blocks(int width, int height);
 
-// Return a stratified random sample of about `most` pixels, as whole patches or as single pixels, or the whole picture
-// if it does not have more pixels. The list of all patches, or of all pixels, along Morton's curve is divided into
-// strata of equal length. One element of each stratum is chosen at random, so that every element has the same
-// probability. The sample is reproducible.
+// Return a stratified random sample of about `most` pixels: sample_of_blocks() as whole patches, sample_of_pixels() as
+// patches of one pixel. If the picture does not have more pixels, they return all of them. The list of all patches, or
+// of all pixels, along Morton's curve is divided into strata of equal length. One element of each stratum is chosen at
+// random, so that every element has the same probability. The sample is reproducible.
 std::vector<Block> sample_of_blocks(int width, int height, std::int64_t most);
 std::vector<Block> sample_of_pixels(int width, int height, std::int64_t most);
 

@@ -29,7 +29,8 @@ void add(Cells& cells, const std::optional<Interval>& interval)
     cells.push_back(interval ? fmt::format("{}", interval->high) : "");
 }
 
-// Returns false if the record's cells are empty: those of the verification of a picture that was not rendered.
+// Returns false if the record's cells must stay empty, because it is the verification of a picture that was not
+// rendered.
 bool has_cells(const Verification& verification) { return verification.drawn; }
 bool has_cells(const auto& /*record*/) { return true; }
 

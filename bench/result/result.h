@@ -168,8 +168,8 @@ struct Questions {
     std::vector<Ratio> box_to_bulb;        // Mandelbox / Mandelbulb, on the same device
     std::vector<Ratio> double_to_float;    // double / float, on the same device
     std::vector<Ratio> others_to_host;     // each other backend except the reference / the host's backend
-    std::vector<Ratio> to_first_value;     // in sweeps and the ladder: each later value / the first value
-    std::vector<Ratio> to_previous_value;  // there, too: each value / the last earlier one of the same aspect ratio
+    std::vector<Ratio> to_first_value;     // sweeps, ladder: each later value / the first value
+    std::vector<Ratio> to_previous_value;  // sweeps, ladder: each value / the last earlier one of the same aspect ratio
 };
 
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON does not throw, which the check cannot see
