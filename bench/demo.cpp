@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// demo: the study `demo` of bench as a program of its own, which builds in less time. Renders the official scenes on
-// every backend in both precisions and both modes, verifies the pictures, times them and prints a table. The exit code
-// is 1 if a picture is wrong or a device fails.
+// demo: the study `demo` of bench as a program of its own, which builds faster than bench. Renders the official scenes
+// on every backend in both precisions and both modes, verifies the pictures, times them and prints a table. The exit
+// code is 1 if a picture is wrong or a device fails.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -29,7 +29,7 @@ namespace {
 using namespace mandelmarch;
 using namespace mandelmarch::bench;
 
-// The output folder: pictures as PNG files, and the table as demo.json. The report's page is made from them.
+// The output folder: pictures as PNG files, and the table as demo.json. The report makes a page from these files.
 class Folder {
 public:
     // Creates the folder if it does not exist. If `path` is empty, nothing is written. Throws Error if the folder

@@ -29,7 +29,7 @@ constexpr Command commands[] = {
     {"random", "measure fast mode's error on random scenes", random_command},
     {"equivalence", "check exact mode bit for bit on random scenes, with every backend", equivalence_command}};
 
-// Throws InputError if an option of measurements was given before a command, which would ignore it.
+// Throws InputError if an option of measurements was given before a command, because the command would ignore it.
 void refuse_options(const CLI::App& app, const std::string& command)
 {
     for (const CLI::Option* option : app.get_options()) {

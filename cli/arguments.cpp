@@ -67,7 +67,7 @@ std::vector<std::string> with_new_names(int argc, char** argv)
 std::optional<int> parse_arguments(CLI::App& app, const std::string& program, int argc, char** argv)
 {
     std::vector<std::string> words = with_new_names(argc, argv);
-    std::ranges::reverse(words);  // CLI11 takes the last argument first
+    std::ranges::reverse(words);  // CLI11 parses a vector from its end
     try {
         app.parse(std::move(words));
     } catch (const CLI::Success& answer) {  // --help, --version

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parsing of a program's arguments, and options whose value is one of several names.
+// Parses a program's arguments, and declares options whose value is one of several names.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,11 +11,12 @@
 
 namespace mandelmarch {
 
-// Parses the arguments, which may contain old names of options and values. Returns the exit code if the program should
-// end, after --help or --version. Throws InputError for invalid arguments; the message begins with `program`.
+// Parses the arguments, which may contain old names of options and values. After --help or --version, returns the exit
+// code with which the program should end; otherwise nullopt. Throws InputError if an argument is invalid; the message
+// begins with `program`.
 std::optional<int> parse_arguments(CLI::App& app, const std::string& program, int argc, char** argv);
 
-// Adds an option that sets `value` to one of the named values.
+// Adds an option that sets `value` to one of the named values. Its default is the current value.
 template <class Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
                         std::vector<std::pair<std::string, Value>> choices, const std::string& about)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parsers for values of command line options. They throw InputError if a value is invalid; the message names the
-// option, the given value and the values that are allowed.
+// Parsers for values of command line options. If a value is invalid, they throw InputError with a message that names
+// the option, the given value and the allowed values.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ int whole_option(const std::string& name, const std::string& text, int low, int 
 std::pair<int, int> pair_option(const std::string& name, const std::string& text, char between, int low, int high,
                                 const std::string& expected);
 
-// Return the device file of standard input or output if the name is `-`, and all other names unchanged. A file that is
+// Return the device file of standard input or output if the name is `-`, and any other name unchanged. A file that is
 // called `-` can be given as `./-`.
 std::string input_name(const std::string& name);
 std::string output_name(const std::string& name);

@@ -28,7 +28,7 @@ std::string clock_text(double seconds)
 ProgressBar::ProgressBar(std::string title, const ProgressOptions& options)
     : title_(std::move(title)), options_(options), terminal_(isatty(STDERR_FILENO) != 0)
 {
-    if (!terminal_) last_ = options.start;  // the first line follows after the interval, but the bar at once
+    if (!terminal_) last_ = options.start;  // delays the first line by line_interval; a bar is shown at once
 }
 
 void ProgressBar::show(double share, const std::string& detail)

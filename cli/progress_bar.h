@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress on stderr: a bar if stderr is a terminal; else nothing, or a line every 15 s.
+// Progress on stderr: a bar if stderr is a terminal; otherwise a line every 15 s if ProgressOptions::lines is true,
+// else nothing.
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@ namespace mandelmarch {
 std::string clock_text(double seconds);
 
 struct ProgressOptions {
-    Clock::time_point start = Clock::now();  // when the work began
-    double share = 0;                        // share of the work that was already finished then
+    Clock::time_point start = Clock::now();  // the time at which the work began
+    double share = 0;                        // share of the work that was already finished at that time
     bool lines = false;                      // prints lines if stderr is not a terminal
 };
 

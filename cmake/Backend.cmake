@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# Functions for the CMakeLists.txt of backends, and the registry of backends (docs/add-a-backend.md).
+# Functions for the CMakeLists.txt files of backends, and for the registry of backends (docs/add-a-backend.md).
 
 # The C++ compiler and the flags of all sources, as recorded in results.
 set(MANDELMARCH_CXX "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MANDELMARCH_CXX_FLAGS)
 
-# mandelmarch_kernel_build(SOURCE COMPILER WORD... EXACT FLAG... FAST FLAG...): defines MANDELMARCH_BUILD_COMPILER,
-# _EXACT and _FAST in SOURCE, for BackendInfo::build: the compiler of the kernels and its flags in each mode.
+# mandelmarch_kernel_build(SOURCE COMPILER WORD... EXACT FLAG... FAST FLAG...): defines the macros
+# MANDELMARCH_BUILD_COMPILER, _EXACT and _FAST in SOURCE, which sets BackendInfo::build from them. They hold the
+# compiler of the kernels and its flags in each mode.
 function(mandelmarch_kernel_build source)
     cmake_parse_arguments(PARSE_ARGV 1 build "" "" "COMPILER;EXACT;FAST")
     foreach(fact COMPILER EXACT FAST)
@@ -21,16 +22,16 @@ function(mandelmarch_kernel_build source)
     endif()
 endfunction()
 
-# mandelmarch_find_dependency(ARGUMENT...): adds a find_dependency() that users of the installed library need for a
-# backend.
+# mandelmarch_find_dependency(ARGUMENT...): adds find_dependency(ARGUMENT...) to the installed package, because users
+# of the backend need this dependency.
 function(mandelmarch_find_dependency)
     list(JOIN ARGN " " words)
     set_property(GLOBAL APPEND PROPERTY MANDELMARCH_DEPENDENCIES "find_dependency(${words})")
 endfunction()
 
-# mandelmarch_registry(TARGET NAME...): adds a library that defines all_backends() (backends/all.h), which returns these
-# backends in this order. If the target mandelmarch_NAME does not exist, because tools are missing, the backend is
-# listed as "not built".
+# mandelmarch_registry(TARGET NAME...): adds the library TARGET. It defines all_backends() (backends/all.h), which
+# returns the backends NAME... in this order. If the target mandelmarch_NAME does not exist, because tools are missing,
+# the backend is listed as "not built".
 function(mandelmarch_registry target)
     set(declarations "")
     set(rows "")

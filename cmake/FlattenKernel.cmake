@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # Makes the kernel source one string with all #includes expanded, for compilers that take strings, not files. A script
-# of the report's viewer (cmake -P) also includes this file; a script cannot configure again if a source changes.
+# of the report's viewer (cmake -P) also includes this file. A script cannot make CMake configure again if a source
+# changes, so scripts skip the next lines.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
     file(GLOB_RECURSE kernel_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/kernel/*.h)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${kernel_files})
 endif()
 
-# mandelmarch_flatten_kernel(ROOT FRACTAL RESULT): expands the file ROOT (relative to the project), specialised for a
-# fractal.
+# mandelmarch_flatten_kernel(ROOT FRACTAL RESULT): stores in RESULT the text of the file ROOT (relative to the project)
+# with all #includes expanded. `#include MM_FRACTAL_FILE` becomes the kernel source of FRACTAL.
 function(mandelmarch_flatten_kernel root fractal result)
     if(NOT CMAKE_SCRIPT_MODE_FILE)
         set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${root})
@@ -26,8 +27,9 @@ function(mandelmarch_flatten_kernel root fractal result)
     set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-# mandelmarch_flatten_glsl(ROOT FRACTAL FILE): writes a shader as one file. glslang cannot paste a suffix to a number,
-# so this function adds it: R(x) becomes BY_PRECISION(x, x), and BY_PRECISION(x, y) becomes BY_PRECISION(xlf, yf).
+# mandelmarch_flatten_glsl(ROOT FRACTAL FILE): writes the shader ROOT, specialised for FRACTAL, to FILE. A macro cannot
+# append a suffix to a number in glslang, so this function does it: R(x) becomes BY_PRECISION(x, x), and
+# BY_PRECISION(x, y) becomes BY_PRECISION(xlf, yf).
 function(mandelmarch_flatten_glsl root fractal file)
     mandelmarch_flatten_kernel(${root} "${fractal}" text)
     set(number "(-?[0-9.]+(e-?[0-9]+)?)")

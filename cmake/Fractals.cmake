@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Lists of fractals: MANDELMARCH_FRACTALS has the names; MANDELMARCH_TEXT_NAME is the file of a fractal's kernel source,
-# as a path relative to the project if it is inside; MANDELMARCH_ROW_NAME is the file of the fractal's descriptor.
+# Sets the lists of fractals. MANDELMARCH_FRACTALS has their names. MANDELMARCH_TEXT_NAME is the path of the kernel
+# source of the fractal NAME, relative to the project if the file is inside it. MANDELMARCH_ROW_NAME is the path of the
+# fractal's descriptor.
 option(MANDELMARCH_OWN_FRACTALS "Build the fractals of core/kernel/fractals" ON)
 set(MANDELMARCH_MORE_FRACTALS "" CACHE STRING "Folders with more fractals, each of them NAME.h and NAME.cpp")
 

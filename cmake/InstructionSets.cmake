@@ -6,8 +6,8 @@ set(MANDELMARCH_INSTRUCTIONS all CACHE STRING
 set_property(CACHE MANDELMARCH_INSTRUCTIONS PROPERTY STRINGS all native)
 
 if(MANDELMARCH_SANITIZER)
-    # Sanitizers check the code around the kernel, which is the same for all instruction sets. One of them, with one
-    # pack width, suffices.
+    # Sanitizers check the code around the kernel. It is the same for all instruction sets and pack widths, so one
+    # instruction set and one pack width suffice.
     set(instruction_sets HWY_AVX2)
 elseif(MANDELMARCH_INSTRUCTIONS STREQUAL "native")
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/instruction_set.cpp @ONLY CONTENT [[
@@ -31,7 +31,8 @@ else()
     message(FATAL_ERROR "MANDELMARCH_INSTRUCTIONS: '${MANDELMARCH_INSTRUCTIONS}' given, expected all or native")
 endif()
 
-# Highway has a bit for every target; the lowest fourteen are those of x86 targets beyond SSE2.
+# Highway has a bit for every instruction set. The lowest fourteen bits belong to the x86 instruction sets beyond SSE2.
+# All of these sets are disabled, except the selected ones.
 function(mandelmarch_instruction_sets target)
     target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(0x3fffLL&~(${instruction_sets}))")
     if(MANDELMARCH_SANITIZER)

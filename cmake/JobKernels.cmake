@@ -3,12 +3,13 @@
 # docs/add-a-backend.md.
 include(Kernels)
 
-# mandelmarch_job_model(NAME SOURCE... [KERNELS TARGET] [TEMPLATES FOLDER] [OPTIONS FLAG...] [PACKAGES TARGET...]): adds
-# the target mandelmarch_NAME with its sources and the kernels: loops.cpp.in for every fractal, precision and mode, and
-# peak.cpp.in with fast mode's contraction. These two templates are in FOLDER; by default in core/job, where they call
-# loop() of backends/NAME/loop.h. The functions drawing() and chains() in the model's namespace find the kernels
-# (core/job/model.h). If TARGET is given, the kernels become part of it, and the model finds them itself. FLAGs apply to
-# the kernels alone; PACKAGES are linked to mandelmarch_NAME.
+# mandelmarch_job_model(NAME SOURCE... [KERNELS TARGET] [TEMPLATES FOLDER] [OPTIONS FLAG...] [PACKAGES PACKAGE...]):
+# adds the target mandelmarch_NAME with the SOURCEs and the kernels. The kernels are generated from two templates:
+# loops.cpp.in for every fractal, precision and mode, and peak.cpp.in for every precision, with fast mode's contraction.
+# The templates are in FOLDER. By default they are those of core/job, which call loop() of backends/NAME/loop.h. The
+# functions drawing() and chains() (core/job/model.h) find the kernels; they are generated in the namespace
+# mandelmarch::NAME. If TARGET is given, the kernels become part of TARGET instead, and the SOURCEs must define both
+# functions. The FLAGs apply to the kernels alone. The PACKAGEs are linked to mandelmarch_NAME.
 function(mandelmarch_job_model model)
     cmake_parse_arguments(PARSE_ARGV 1 with "" "KERNELS;TEMPLATES" "OPTIONS;PACKAGES")
     set(target mandelmarch_${model})
@@ -26,7 +27,7 @@ function(mandelmarch_job_model model)
     if(NOT with_TEMPLATES)
         set(with_TEMPLATES ${PROJECT_SOURCE_DIR}/core/job)
     endif()
-    # For tests that build the kernels again from a mutant of the kernel source.
+    # Tests read these properties to build the kernels again from a mutant of the kernel source.
     set_target_properties(${target} PROPERTIES
         MANDELMARCH_TEMPLATES "${with_TEMPLATES}" MANDELMARCH_OPTIONS "${with_OPTIONS}")
     mandelmarch_kernels(${with_KERNELS} ${with_TEMPLATES}/loops.cpp.in OPTIONS ${with_OPTIONS} ${loops_table})

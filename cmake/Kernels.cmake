@@ -1,36 +1,41 @@
 # SPDX-License-Identifier: Apache-2.0
-# Generated code: sources made of a template once per fractal, precision and mode, and the function that finds them.
+# Generates sources from a template, one for each fractal, precision and mode, and a function that finds what they
+# define.
 
 include_guard()
 include(Fractals)
 
-# openmp's packs (vectors of pixels) exceed the size limit of GCC's scalar replacement of aggregates (SRA). With a
-# higher limit they stay in registers.
+# The packs of openmp (vectors of pixels) exceed the size limit of GCC's scalar replacement of aggregates (SRA). With
+# higher limits they stay in registers.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # A lower limit for alias queries (default 1000) gives the same code in a quarter of the compile time.
-    # -fipa-pure-const makes loops of the Mandelbox slower in exact mode (docs/notes/experiments.md). With it, GCC 12
-    # crashes on packs of a single instruction set (in fre, when it compares calls of pure functions).
+    # With a lower limit of alias queries (default 1000), GCC generates the same code in a quarter of the compile time.
+    # -fipa-pure-const makes loops of the Mandelbox slower in exact mode (docs/notes/experiments.md). Also, with
+    # -fipa-pure-const, GCC 12 crashes on packs of a single instruction set: its pass fre fails when it compares calls
+    # of pure functions.
     set(MANDELMARCH_PACKS --param=sra-max-scalarization-size-Ospeed=8192 --param=sra-max-propagations=1000
         --param=sccvn-max-alias-queries-per-access=100 -fno-ipa-pure-const)
 endif()
-# For Clang, packs do not force inlining of the kernel (core/kernel/prelude/pack.h). With this threshold, Clang inlines
-# the same functions that GCC is forced to inline.
+# GCC is forced to inline the kernel's functions in packs, but Clang is not (core/kernel/prelude/pack.h). With this
+# threshold, Clang inlines the same functions.
 set(MANDELMARCH_INLINING "")
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     set(MANDELMARCH_INLINING -mllvm -inline-threshold=5000)
 endif()
-# In fast mode packs fuse explicitly (core/kernel/prelude/pack.h), in the same way for every register width.
+# In fast mode packs fuse operations explicitly, in the same way for every register width (core/kernel/prelude/pack.h).
+# Therefore the compiler must not fuse.
 set(MANDELMARCH_PACKS -ffp-contract=off ${MANDELMARCH_PACKS} ${MANDELMARCH_INLINING})
 
 # mandelmarch_kernels(TARGET TEMPLATE.cpp.in [BY fractal|precision|mode...] [FRACTALS NAME...] [MODES exact|fast...]
 #     [OPTIONS FLAG...] [FOLDER FOLDER] [TABLE FUNCTION CODE TYPE HEADER FILE NAMESPACE NAME]):
-# adds TEMPLATE.cpp.in to the target, configured for every fractal, precision and mode, or only BY some of these. The
-# sources are written to FOLDER. Their compiler options are the floating-point flags of the mode (if BY includes it) and
-# OPTIONS. The template can use fractal, fractal_file, precision, is_float, mode, is_fast, file (the source's path),
-# variant (FRACTAL_PRECISION_MODE, without those not in BY) and name (TEMPLATE_variant).
-# TABLE adds the function `TYPE* FUNCTION(std::string_view variant)` to NAMESPACE. It returns the address of the function
-# or constant `TYPE name` that the variant's source defines; nullptr if there is none. HEADER declares the type. If TYPE
-# contains <Real>, FUNCTION is a template of Real, the precision, and HEADER declares the template, too.
+# adds sources to the target: TEMPLATE.cpp.in, configured once for every combination of the choices that BY lists (by
+# default fractal, precision and mode). The sources are written to FOLDER. Their compiler options are OPTIONS and, if BY
+# includes mode, the floating-point flags of the mode. The template can use the variables fractal, fractal_file,
+# precision, is_float, mode, is_fast, file (the source's path), variant (FRACTAL_PRECISION_MODE, without the choices
+# that are not in BY) and name (TEMPLATE_variant).
+# TABLE adds the function `TYPE* FUNCTION(std::string_view variant)` to the namespace NAME. It returns the address of
+# the function or constant `TYPE name` that the variant's source defines; nullptr if there is no such variant. FILE is
+# the header that declares TYPE. If TYPE contains <Real>, FUNCTION is a template of Real, the precision, and FILE also
+# declares this template.
 function(mandelmarch_kernels target template)
     cmake_parse_arguments(PARSE_ARGV 2 with "" "FOLDER;TABLE;CODE;HEADER;NAMESPACE" "BY;FRACTALS;MODES;OPTIONS")
     if(with_UNPARSED_ARGUMENTS)
@@ -48,7 +53,7 @@ function(mandelmarch_kernels target template)
     set(with_PRECISIONS float double)
     foreach(choice fractal precision mode)
         string(TOUPPER ${choice}S values)
-        set(${choice}s once)  # if the sources do not depend on this choice
+        set(${choice}s once)  # the single value if the sources do not depend on this choice
         if(choice IN_LIST with_BY)
             set(${choice}s ${with_${values}})
         endif()
@@ -99,7 +104,7 @@ namespace @with_NAMESPACE@ {
 }  // namespace @with_NAMESPACE@
 ]])
         target_sources(${target} PRIVATE ${file})
-        # A specialisation must not follow a use in the same unit.
+        # Excluded from unity builds, in which a specialisation could follow a use of it, which C++ forbids.
         set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
 endfunction()

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# Settings of g++'s offload compiler for NVIDIA GPUs, common to all backends that use it.
+# Settings of g++'s offload compiler for NVIDIA GPUs (nvptx), common to all backends that use this compiler.
 
-# Debian's offload compiler runs a program `as` to assemble; it finds this wrapper first (see nvptx_as.in).
+# Debian's offload compiler runs a program `as` to assemble. The wrapper made from nvptx_as.in is in a folder that the
+# compiler searches first, and calls the real assembler nvptx-none-as.
 find_program(nvptx_as nvptx-none-as)
 mark_as_advanced(nvptx_as)
-# Device code is compiled at link time with each source's flags. Correctly rounded division and square root, and
-# subnormal numbers, are nvptx's defaults; nvptx_as.in pins the rounding of add, sub and mul.
+# Device code is compiled at link time, with the flags of each source. By default nvptx rounds division and square root
+# correctly and keeps subnormal numbers. nvptx_as.in fixes the rounding of add, sub and mul.
 set(MANDELMARCH_NVPTX_OPTIONS -fno-math-errno -fno-trapping-math -misa=sm_35)
 set(MANDELMARCH_NVPTX_ASSEMBLER ${CMAKE_BINARY_DIR}/nvptx)  # folder
 if(nvptx_as)
@@ -15,12 +16,13 @@ endif()
 list(JOIN MANDELMARCH_NVPTX_OPTIONS " " MANDELMARCH_NVPTX_LINK)
 # Linker flags. Backends append MANDELMARCH_NVPTX_ASSEMBLER to them, as the value of -B.
 set(MANDELMARCH_NVPTX_LINK "-foffload-options=nvptx-none=${MANDELMARCH_NVPTX_LINK} -B")
-# Registers limit occupancy. So the optimisations that keep values in registers over a whole loop are disabled: hoisting
-# of invariants, and elimination of redundancies across blocks. `make k40` reports the registers.
+# The fewer registers a kernel uses, the more threads a GPU can hold. Therefore optimisations that keep values in
+# registers over a whole loop are disabled: hoisting of invariants, and elimination of redundancies across basic blocks.
+# `make k40` reports the registers.
 set(MANDELMARCH_NVPTX_FEW_REGISTERS -O2 -fno-gcse -fno-tree-pre -fno-move-loop-invariants -fno-tree-loop-optimize)
 
-# mandelmarch_offloads(RESULT FLAG DIRECTIVE): checks whether g++ with the flag compiles a loop with the directive for
-# nvptx.
+# mandelmarch_offloads(RESULT FLAG DIRECTIVE): stores in RESULT whether g++ with FLAG can compile a loop under the
+# pragma DIRECTIVE for nvptx.
 function(mandelmarch_offloads result flag directive)
     include(CheckCXXSourceCompiles)
     if(NOT nvptx_as OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

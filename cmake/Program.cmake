@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# mandelmarch_program(NAME SOURCE... LIBRARIES TARGET...): adds the program NAME. Its sources form the object library
-# program_NAME and define NAME_main(argc, argv), so that the bundle can link all programs into one file (packaging/).
+# mandelmarch_program(NAME SOURCE... LIBRARIES TARGET...): adds the program NAME. The SOURCEs must define
+# NAME_main(argc, argv). They become the object library program_NAME, from which the bundle (packaging/) links all
+# programs into one file.
 function(mandelmarch_program name)
     cmake_parse_arguments(PARSE_ARGV 1 program "" "" "LIBRARIES")
     add_library(program_${name} OBJECT ${program_UNPARSED_ARGUMENTS})

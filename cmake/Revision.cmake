@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Runs at every build (cmake -P). Writes to OUTPUT the git revision of SOURCE and whether tracked files differ from the
-# revision; leaves OUTPUT untouched if its content stays the same. Result files (report/results) do not count, so
-# measuring does not mark the sources as changed.
+# Runs at every build (cmake -P). Writes to OUTPUT the git revision of SOURCE and whether tracked files differ from this
+# revision; leaves OUTPUT untouched if its content stays the same. Result files (report/results) are ignored, so that
+# measurements, which write them, do not mark the sources as changed.
 set(revision unknown)
 set(dirty false)
 execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD OUTPUT_VARIABLE found RESULT_VARIABLE failed ERROR_QUIET

@@ -3,7 +3,7 @@
 add_library(mandelmarch_warnings INTERFACE)
 target_compile_options(mandelmarch_warnings INTERFACE -Wall -Wextra -Wpedantic -Wnon-virtual-dtor
     -Woverloaded-virtual -Wcast-align -Wunused
-    # Not in a unity build, in which a source can shadow the private names of the sources before it.
+    # Left out in unity builds, in which a source can shadow the private names of the sources before it.
     $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
     # The kernel passes its scene by value, but all such calls are inlined, so the ABI does not matter.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>

@@ -16,7 +16,8 @@ struct Moments {
     double degrees = 0;
 };
 
-// Returns moments of the values' logarithms. Logarithms are used as times are positive and disturbances multiply them.
+// Returns moments of the values' logarithms. Logarithms are used because times are positive, and disturbances multiply
+// them.
 Moments moments(std::span<const double> values)
 {
     const auto n = static_cast<double>(values.size());
@@ -29,7 +30,7 @@ Moments moments(std::span<const double> values)
     return m;
 }
 
-// Tests whether a difference of means of logarithms is beyond the margin.
+// Tests whether a ratio differs from 1 by more than the margin. `shift`: the difference of the means of the logarithms.
 Difference tested(const Moments& shift, double margin)
 {
     const double within = std::log1p(margin);
@@ -65,8 +66,8 @@ std::vector<double> together(const ValuesByRun& runs)
     return all;
 }
 
-// Widens the interval to contain the value. The value is a median and the interval that of a mean of logarithms, so the
-// value may lie outside.
+// Widens the interval so that it contains the value. The value is a median, but the interval may be that of a mean of
+// logarithms, which need not contain the median.
 std::optional<Interval> holding(std::optional<Interval> interval, double value)
 {
     if (!interval) return interval;
@@ -91,14 +92,14 @@ double median(std::vector<double> values)
 }
 
 // Each of the n values is below the true median with probability 1/2. The interval from the k-th smallest to the k-th
-// largest value misses the median if fewer than k values are below it, or fewer than k above it. Both have the same
-// probability, a sum of binomial probabilities (Conover, Practical Nonparametric Statistics, 3.2).
+// largest value misses the median if fewer than k values are below the median, or fewer than k are above it. These two
+// events have the same probability, a sum of binomial probabilities (Conover, Practical Nonparametric Statistics, 3.2).
 std::optional<Interval> median_interval(std::span<const double> values)
 {
     std::vector<double> sorted(values.begin(), values.end());
     std::ranges::sort(sorted);
     const std::size_t n = sorted.size();
-    double probability = std::pow(0.5, static_cast<double>(n));  // of exactly j values below the median
+    double probability = std::pow(0.5, static_cast<double>(n));  // that exactly j values are below the median
     double below = 0;
     std::size_t k = 0;
     for (std::size_t j = 0; j < n; ++j) {
@@ -148,9 +149,9 @@ std::vector<double> group_medians(std::span<const double> values)
 }
 
 // This is the top level of the method of Kalibera and Jones ("Rigorous benchmarking in reasonable time", ISMM 2013,
-// section 9.3). The scatter of the runs' medians already contains all differences between runs, so the interval is
-// computed from the medians only; more samples within a run only make its median more precise. The computation uses
-// logarithms, as disturbances multiply times.
+// section 9.3). The scatter of the runs' medians contains all differences between runs. Therefore the interval is
+// computed from the medians alone; additional samples within a run only make its median more precise. The computation
+// uses logarithms, because disturbances multiply times.
 std::optional<Interval> run_interval(std::span<const double> medians)
 {
     if (medians.size() < 2 || !all_positive(medians)) return std::nullopt;
@@ -192,7 +193,7 @@ Quotient quotient(const ValuesByRun& numerator, const ValuesByRun& denominator)
 }
 
 // Welch's test (Biometrika 34, 1947) of the difference of two means whose variances may be unequal. The null hypothesis
-// is not that the means are equal, but that their difference is within the margin. So p is computed for a true
+// is not that the means are equal, but that their difference is within the margin. Therefore p is computed for a true
 // difference at the margin's edge, where p is largest.
 Difference difference(std::span<const double> old_values, std::span<const double> new_values, double margin)
 {
@@ -208,10 +209,10 @@ Difference difference(std::span<const double> old_values, std::span<const double
 
 Difference paired_difference(std::span<const double> ratios, double margin) { return tested(moments(ratios), margin); }
 
-// The error of a ratio follows from that of the sum of the residuals part - ratio * whole (Cochran, Sampling
-// Techniques, 6.3). With one patch per stratum, the variance within a stratum cannot be computed. It is estimated by
-// half the squared difference of the residuals in neighbouring strata, which tends to be too large if strata differ
-// (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
+// The error of the ratio is the error of the sum of the residuals, `part - ratio * whole`, divided by the sum of
+// `whole` (Cochran, Sampling Techniques, 6.3). With one patch per stratum, the variance within a stratum cannot be
+// computed. It is estimated by half the squared difference of the residuals in neighbouring strata. This estimate tends
+// to be too large if strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
 PartRatio ratio_of_sums(std::span<const Part> blocks)
 {
     Part sum;
@@ -234,7 +235,7 @@ PartRatio ratio_of_sums(std::span<const Part> blocks)
 }
 
 // Holm (Scandinavian Journal of Statistics 6, 1979): the smallest of m p-values is multiplied by m, the next by m - 1,
-// and so on; each result is at least the previous one.
+// and so on. A product smaller than the one before is raised to it.
 std::vector<double> holm(std::span<const double> p)
 {
     std::vector<std::size_t> order(p.size());

@@ -10,17 +10,16 @@
 
 namespace mandelmarch::bench {
 
-// Maximum length of a line of a table, in characters, and of a warning, in bytes.
-inline constexpr std::size_t console_columns = 120;
-inline constexpr std::size_t longest_note = 1000;
+inline constexpr std::size_t console_columns = 120;  // maximum characters of a table's line
+inline constexpr std::size_t longest_note = 1000;    // maximum bytes of a warning
 
 // Formats a value with about four significant digits.
 std::string digits(double value);
 
-// Formats an interval, whose ends are multiplied by `unit`: "[12.30, 12.45]".
+// Multiplies both ends of an interval by `unit` and formats them: "[12.30, 12.45]".
 std::string interval_text(const Interval& interval, double unit = 1);
 
-// Returns a line for each text, with `start` before it; unprintable characters are replaced and long lines truncated.
+// Returns a line for each text: `start`, then the text. Replaces unprintable characters and truncates long lines.
 std::string notes(const std::string& start, const std::vector<std::string>& texts);
 
 // Truncates a line to `most` characters.

@@ -14,7 +14,7 @@ namespace mandelmarch::bench {
 
 using Run = std::function<int()>;
 
-// `arguments`: the command line of bench, from which those of further runs are made.
+// `arguments`: bench's command line. The command lines of further runs are made from it.
 Run measure_command(CLI::App& app, const Registry& registry, const std::vector<std::string>& arguments);
 
 Run compare_command(CLI::App& app, const Registry& registry);

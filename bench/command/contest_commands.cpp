@@ -27,7 +27,7 @@ struct State {
     Outputs outputs;
 };
 
-// Shows the finished fraction of a phase.
+// Returns a function that shows the finished fraction of the phase.
 std::function<void(double)> shown(Display& display, const char* phase)
 {
     return [&display, phase](double share) { display.show({phase, share}); };

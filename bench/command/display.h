@@ -16,7 +16,7 @@ class Display {
 public:
     explicit Display(bool quiet = false, const char* program = "bench") : quiet_(quiet), program_(program) {}
 
-    // `since`: start of the phase, from which the remaining time is estimated.
+    // Shows a step. `since`: start of its phase, from which the remaining time is estimated.
     void show(const Step& step, Clock::time_point since = Clock::now())
     {
         if (quiet_) return;

@@ -26,9 +26,9 @@ struct Measurement {
     Result result;
     Outputs outputs;
     bool list = false, list_names = false, wide = false;
-    bool quiet = false;      // no table and no progress; set in further runs
-    bool on_demand = false;  // render for a duel
-    bool unproven = false;   // with on_demand: skip verification; set in all runs of a duel but the first
+    bool quiet = false;      // no table and no progress, as in further runs
+    bool on_demand = false;  // render the pictures that a duel requests
+    bool unproven = false;   // with on_demand: skip verification, as in all runs of a duel after the first
     std::string format;      // format of Google Benchmark for standard output; empty: bench's own table
     std::string out, out_format = "json";
 };
@@ -50,7 +50,7 @@ void list(const Registry& registry, const Options& options, bool names_only)
     }
 }
 
-// Google Benchmark's options that choose an output.
+// Adds Google Benchmark's options that choose an output.
 void add_google_options(CLI::App& app, Measurement& m)
 {
     const CLI::IsMember formats({"console", "json", "csv"});

@@ -11,7 +11,7 @@
 namespace mandelmarch::bench {
 
 // Throws InputError if `path` lies in `results`, the project's folder of kept results, and the sources have uncommitted
-// changes: such a result could not be reproduced.
+// changes. A result of such sources could not be reproduced.
 void refuse_kept_result(const std::string& path, const std::string& results, bool sources_changed);
 
 // Files and standard output ("-") that are checked before a command's work and written after it. A failure to write one
@@ -25,10 +25,11 @@ public:
     // Declares an option that names an output, with `text` as in add().
     void option(CLI::App& app, const std::string& name, const std::string& about, std::function<std::string()> text);
 
-    // Checks the outputs, calls work() and writes them. The text that work() returns, the table for the user, goes to
-    // stderr if an output is standard output. If a file cannot be written, prints a line on stderr. Returns the exit
-    // code: success, if work() and all writing succeeded. Throws InputError if an output cannot be written or is one of
-    // the `read` files, or if two outputs are the same; Error if standard output cannot be written.
+    // Checks the outputs, calls work(), and writes the outputs and work()'s table. The table goes to standard output
+    // or, if an output goes there, to stderr. Throws InputError before work() if an output is one of the `read` files,
+    // if two outputs are the same, or if the check finds that an output cannot be written. If writing a file fails
+    // later, prints a line on stderr. Throws Error if standard output cannot be written. Returns the exit code; it is
+    // success if work() passed and all outputs were written.
     struct Done {
         std::string table;
         bool passed = true;

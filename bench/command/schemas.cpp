@@ -17,7 +17,7 @@ namespace {
 
 struct Kind {
     const char* name;
-    const char* schema;  // the value of "schema" in a file of this kind; nullptr: a list, without it
+    const char* schema;  // the value of "schema" in a file of this kind; nullptr: the file is a list without "schema"
     int version;
     const char* title;
     const char* about;
@@ -30,8 +30,7 @@ Json properties_of(Json& definitions)
     return record_schema<Record>(definitions);
 }
 
-// Returns the schema of a result's fields, with those computed from several rows: `portability` and `winners`. A
-// portability file is the same list as `portability`.
+// Returns the schema of a result's fields, including `portability` and `winners`, which are computed from several rows.
 Json result_properties(Json& definitions)
 {
     Json schema = record_schema<Result>(definitions);

@@ -11,7 +11,8 @@ namespace mandelmarch::bench {
 // Returns the kinds of files: "result", "duel", ...
 std::vector<std::string> schema_kinds();
 
-// Returns the schema of a kind, as in bench/schemas. For another name throws InputError, which lists the kinds.
+// Returns the schema of a kind of file; bench/schemas has copies. Throws InputError, which lists the kinds, if `kind`
+// is none of them.
 std::string schema_text(std::string_view kind);
 
 }  // namespace mandelmarch::bench

@@ -13,7 +13,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns for each run the median of its pairs' ratios.
+// Returns, for each run, the median of its pairs' ratios.
 std::map<int, double> ratios_of(const DuelRow& row)
 {
     ValuesByRun runs;
@@ -23,7 +23,7 @@ std::map<int, double> ratios_of(const DuelRow& row)
     return ratios;
 }
 
-// Returns why the configuration cannot be tested; empty if it can.
+// Returns the reason why the configuration cannot be tested; empty if it can be tested.
 std::string lack_of(const DuelRow& row)
 {
     const auto positive = [](const DuelPair& pair) { return pair.old_seconds > 0 && pair.new_seconds > 0; };
@@ -57,7 +57,8 @@ Judged tested(const DuelRow& row, double margin)
     return j;
 }
 
-// Returns the geometric mean of the ratios of all tested configurations, for each run in which all of them have one.
+// Returns the geometric mean of the ratios of all tested configurations, for each run in which each of them has a
+// ratio.
 std::map<int, double> mean_of_rows(const Duel& duel, const std::vector<Judged>& rows)
 {
     std::map<int, double> logarithms;

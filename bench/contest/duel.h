@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// bench duel: compares two builds that were measured in alternation, picture by picture.
+// bench duel: compares two builds of bench, whose pictures are timed in alternation.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,8 @@ enum class DuelClock {
 };
 std::string_view name_of(DuelClock clock);
 
-// Times of two pictures of a configuration: each program renders one, directly after the other, in random order.
+// Times of a pair of pictures of a configuration. Each program renders one of them, one directly after the other; the
+// order is random.
 struct DuelPair {
     int run = 0, round = 0;
     double old_seconds = 0, new_seconds = 0;
@@ -29,7 +30,7 @@ struct DuelPair {
 struct DuelRow {
     std::string name;
     std::vector<DuelPair> pairs{};
-    std::string old_failure{}, new_failure{};  // why a program has no speed; empty if it has one
+    std::string old_failure{}, new_failure{};  // why the old or new program has no speed; else empty
     bool same_picture = true;                  // the programs' pictures are equal byte for byte
 };
 
@@ -52,8 +53,8 @@ struct Duel {
 inline constexpr std::string_view all_rows = "all rows";
 
 // Sets the verdicts (bench/judge/verdict.h): one for each configuration and, if several were tested, a last one for the
-// geometric mean of their ratios. Each run contributes the median of its pairs' ratios. Student's t on the logarithms
-// of these medians tests whether the true ratio lies beyond the margin.
+// geometric mean of their ratios. Each run contributes one value, the median of its pairs' ratios. Student's t-test on
+// the logarithms of these values tests whether the true ratio lies beyond the margin.
 Duel judged(Duel duel);
 
 std::string to_console(const Duel& duel);
@@ -63,19 +64,19 @@ nlohmann::ordered_json json_of(const Duel& duel);
 
 struct DuelOptions {
     std::string old_program, new_program;  // paths
-    Options rows;                          // which configurations take part
+    Options rows;                          // the configurations to compare
     double margin = 0.01;
     DuelClock clock = DuelClock::wall;
     int runs = 10;    // processes of each program
     int rounds = 20;  // pictures of each configuration by each program in a run
 };
 
-// Measures the configurations that the options select, without the baselines. For each run both programs are started
-// again. In each round every configuration is rendered by one program and directly afterwards by the other. The order
-// of the configurations and of the two programs is random, so that a lasting disturbance slows both alike. The pictures
-// are verified in the first run and must not change in later runs. If a program dies, the run is left out, with a
-// warning. `progress` receives the completed fraction, 0 to 1. Throws InputError if a program is not an executable
-// file, Error if no run was measured.
+// Measures the configurations that the options select, without the baselines. Starts both programs again for each run.
+// In each round, one program renders a configuration and the other renders it directly afterwards. The order of the
+// configurations and of the two programs is random, so that a lasting disturbance slows both programs alike. The
+// pictures are verified in the first run and must not change in later runs. If a program dies, its run is left out and
+// a warning is added. `progress` receives the completed fraction, 0 to 1. Throws InputError if a program is not an
+// executable file, and Error if no run was measured.
 Duel run_duel(const DuelOptions& options, const std::function<void(double)>& progress);
 
 }  // namespace mandelmarch::bench

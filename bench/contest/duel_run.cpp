@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double last_wait = 2;  // seconds for the end of a program that has closed its socket
+constexpr double last_wait = 2;  // seconds to wait for a program to end after its socket is closed
 
 // One of the two bench processes.
 class DuelProcess {
@@ -33,7 +33,7 @@ public:
     // State of a configuration, as reported by the process before the rounds.
     struct Ready {
         std::string fingerprint;  // hash of its picture
-        std::string failure;      // why it has no speed; empty if it has one
+        std::string failure;      // why the configuration has no speed; else empty
         bool in_process = true;   // false: a driver renders in another process
     };
     using Rows = std::map<std::string, Ready>;
@@ -53,8 +53,8 @@ public:
         }
         socket_.emplace(Descriptor(pair[0]));
         const Descriptor theirs(pair[1]);
-        // Makes waiting threads sleep. OpenMP's would otherwise spin on the cores that the other program uses, and
-        // their spinning would count as processor time.
+        // Makes OpenMP's waiting threads sleep. Otherwise they would spin on the cores that the other program uses, and
+        // the spinning would count as processor time.
         setenv("OMP_WAIT_POLICY", "passive", 1);
         std::vector<std::string> words{program};
         words.insert(words.end(), arguments.begin(), arguments.end());
@@ -184,7 +184,7 @@ public:
     }
 
 private:
-    // Returns work(). If it throws an Error, the side ("old" or "new") is added to the message.
+    // Returns work(). If work() throws an Error, adds the side ("old" or "new") to its message.
     template <class Work>
     static auto of(const char* side, const Work& work)
     {
@@ -228,8 +228,8 @@ private:
         }
     }
 
-    // Returns why a program has no valid picture of a configuration in this run; empty if it has one. `first`: the
-    // configurations of the same program in the first run.
+    // Returns the reason why a program's configuration cannot be timed in this run; empty if it can be timed. `now`:
+    // the program's process in this run. `first`: the program's configurations in the first run.
     std::string failure_of(const std::string& name, const DuelProcess& now, const DuelProcess::Rows& first) const
     {
         const auto found = now.rows().find(name);

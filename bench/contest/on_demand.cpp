@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int socket_patience = 200;  // milliseconds between checks whether the peer is gone
+constexpr int socket_patience = 200;  // milliseconds between two calls of gone()
 constexpr std::size_t longest_line = std::size_t{16} << 20;
 
 // Returns JSON on one line. Invalid UTF-8 is replaced.
@@ -77,7 +77,7 @@ bool LineSocket::receive(std::string& line, const std::function<bool()>& gone)
         pollfd waiting{.fd = socket_.number(), .events = POLLIN, .revents = 0};
         const int ready = poll(&waiting, 1, socket_patience);
         if (ready == 0) {
-            // If the peer has ended, read what it sent before.
+            // If the peer has ended, read what it sent before it ended.
             if (!gone()) continue;
             waiting.revents = 0;
             last = poll(&waiting, 1, 0) <= 0;

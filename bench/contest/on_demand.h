@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The protocol of `bench duel`, and the side that renders the pictures of a study at the other side's request.
+// Protocol of `bench duel`. A duel starts processes of bench, which call draw_on_demand() to render pictures at the
+// duel's request.
 #pragma once
 
 #include <functional>
@@ -20,17 +21,17 @@ public:
     // Sends a line, given without its newline. Throws Error if the peer is gone.
     void send(const std::string& line);
 
-    // Waits for a line. Returns false if the peer has closed the socket. Also polls gone(), and returns false as soon
-    // as it returns true. Throws Error for a line of more than 16 MiB.
+    // Waits for a line. Returns false if the peer has closed the socket, or if gone() returns true and no complete line
+    // is left; gone() is called repeatedly while nothing arrives. Throws Error for a line of more than 16 MiB.
     bool receive(
         std::string& line, const std::function<bool()>& gone = [] { return false; });
 
 private:
     Descriptor socket_;
-    std::string left_;  // received part of later lines
+    std::string left_;  // bytes received after the last returned line
 };
 
-inline constexpr int on_demand_version = 1;  // of the protocol below
+inline constexpr int on_demand_version = 1;  // version of the protocol below
 
 // Prepares the configurations of the options, then serves requests over the socket on standard input until the peer
 // closes it. `prove`: verify the configurations' pictures first, as a study does. The messages are lines of text:

@@ -22,7 +22,7 @@ std::vector<double> seconds_of(const RacedProgram& racer)
     return seconds;
 }
 
-// Truncates a long name at its start, as the end of a path is the specific part.
+// Truncates a long name at its start, because the end of a path identifies the program.
 std::string name_in_table(const RacedProgram& racer)
 {
     std::string name = printable(racer.name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// bench race: compares the times of other programs, which read a parameter file and write a picture, with ours.
+// bench race: compares the times of other programs, which read a parameter file and write a picture, with the times of
+// our `render`.
 #pragma once
 
 #include <cstdint>
@@ -20,19 +21,19 @@ namespace mandelmarch::bench {
 enum class RaceVerdict {
     same,        // all bytes of the picture are as expected
     close,       // at most 2 % of the pixels differ visibly
-    wrong,       // more pixels differ visibly
+    wrong,       // more than 2 % of the pixels differ visibly
     wrong_size,  // the picture has another size
-    no_picture,  // exit code 0, but no picture
+    no_picture,  // exit code 0, but no output file
     no_image,    // the output file is not a picture
-    unsteady,    // a later picture was wrong
+    unsteady,    // the first picture was correct, but a later one was wrong
     failed,      // exit code other than 0
     crashed,     // ended by a signal
     hung,        // killed at the time limit
-    no_start     // the system cannot run it
+    no_start     // the system cannot run the program
 };
 std::string_view name_of(RaceVerdict verdict);
 
-// Returns true for a correct picture, for which the program's speed counts.
+// Returns true if the picture is correct, so that the program's speed counts.
 constexpr bool is_right(RaceVerdict verdict) { return verdict == RaceVerdict::same || verdict == RaceVerdict::close; }
 
 // Comparison of a program's picture with that of our scalar kernel, in exact mode and double.
@@ -53,11 +54,11 @@ struct RacedProgram {
     std::string name;
     bool ours = false;
     RaceVerdict verdict = RaceVerdict::no_start;
-    std::string why{};  // why the verdict is neither same nor close; else empty
+    std::string why{};  // the reason if the verdict is neither same nor close; else empty
     std::optional<int> exit_code{}, signal{};
-    std::optional<RacePicture> picture{};  // if it has the right size
-    std::uint64_t memory = 0;              // peak resident bytes of its largest process
-    std::vector<RaceSample> samples{};     // of programs with a correct picture
+    std::optional<RacePicture> picture{};  // nullopt unless the picture has the right size
+    std::uint64_t memory = 0;              // peak resident bytes of the program's largest process
+    std::vector<RaceSample> samples{};     // empty unless all pictures are correct
     // Set by timed().
     std::optional<Summary> wall{};         // seconds
     std::optional<Quotient> times_ours{};  // this program's wall time / that of our first program
@@ -77,7 +78,7 @@ struct Race {
     bool passed() const;
 };
 
-// Summarises the times of each program with a correct picture, and compares them with ours.
+// Summarises the times of each program with correct pictures, and compares them with those of our first program.
 Race timed(Race race);
 
 std::string to_console(const Race& race);
@@ -87,22 +88,23 @@ nlohmann::ordered_json json_of(const Race& race);
 
 struct RaceOptions {
     std::vector<std::string> programs;        // paths
-    const Fractal* fractal = nullptr;         // nullptr: the first
+    const Fractal* fractal = nullptr;         // nullptr: the first of fractals()
     std::string scene;                        // a parameter file; empty: the fractal's official scene
-    std::optional<std::pair<int, int>> size;  // pixels; nullopt: that of the parameter file, or 540 x 540
+    std::optional<std::pair<int, int>> size;  // pixels; nullopt: as in `scene` or, if that is empty, 540 x 540
     std::string backend = "openmp";           // the backend that our renderer uses
-    std::uint64_t seed = 1;                   // for the order in each round
+    std::uint64_t seed = 1;                   // for the order of the programs in each round
     double limit = 60;                        // seconds per picture
     int rounds = 7;
 };
 
-// Runs each program as `PROGRAM scene.dat` in a folder that contains only this parameter file. The file names the
-// picture image.bmp, which is then compared with our scalar kernel's picture in double and exact mode. Programs with a
-// correct picture are timed as whole processes, in rounds of random order, together with our `render` on
-// options.backend. Each round has its own view of the scene, so that a picture kept from an earlier run is wrong; the
-// pictures of the rounds must be correct, too. A program whose first run took more than longest_repeated is not run
-// again: that run is its sample. `progress` receives the completed fraction, 0 to 1. Throws InputError if a program is
-// not an executable file or the scene cannot be read, Error if our own picture cannot be rendered.
+// Runs each program as `PROGRAM scene.dat` in a folder that contains only this parameter file. The file tells the
+// program to write the picture image.bmp. This picture is compared with that of our scalar kernel in double and exact
+// mode. Programs with a correct picture are then timed as whole processes, together with our `render` on
+// options.backend, in several rounds, each in random order. Each round has its own view of the scene, so that a picture
+// kept from an earlier run would be wrong; the pictures of the rounds must be correct, too. If a program's first run
+// took more than longest_repeated, that run is its only sample. `progress` receives the completed fraction, 0 to 1.
+// Throws InputError if a program is not an executable file or the scene cannot be read, and Error if our own picture
+// cannot be rendered.
 inline constexpr double longest_repeated = 20;  // seconds
 Race run_race(const RaceOptions& options, const Registry& registry, const std::function<void(double)>& progress);
 

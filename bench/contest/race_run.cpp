@@ -36,8 +36,9 @@ constexpr const char* scene_name = "scene.dat";
 constexpr const char* image_name = "image.bmp";
 constexpr std::size_t longest_complaint = 200;  // bytes
 constexpr std::size_t most_complaints = 4096;   // bytes of a program's stderr that are read
-// For a round's view the eye moves by a fraction of its distance to the target. The fraction starts at first_move and
-// is doubled until at least a tenth (least_change) of the pixels differ visibly, or until it exceeds last_move.
+// For a round's view the eye moves by a fraction of its distance to the target. The fraction starts at first_move. It
+// is doubled until at least least_change of the pixels differ visibly from the official picture, or until it exceeds
+// last_move.
 constexpr double first_move = 0.01;
 constexpr double last_move = 0.1;
 constexpr double least_change = 0.1;
@@ -167,8 +168,8 @@ private:
         return std::move(*drawn.image);
     }
 
-    // Returns a new view whose picture differs visibly from the official one, so that a program cannot use a picture
-    // that it kept from an earlier run. If nearby views look alike, adds a warning.
+    // Returns a new view whose picture differs visibly from `official`, so that a program cannot use a picture that it
+    // kept from an earlier run. If all nearby views look like `official`, adds a warning.
     View another_view(const Image& official)
     {
         for (double share = first_move;; share *= 2) {
@@ -274,8 +275,8 @@ private:
         }
     }
 
-    // Runs a program on the round's view and checks its picture. Does nothing if an earlier picture of the program was
-    // not right.
+    // Runs a program on the round's view and checks its picture. Does nothing if an earlier picture of this program was
+    // wrong.
     void again(std::size_t i, int round)
     {
         RacedProgram& racer = race_.racers[i];
@@ -299,7 +300,7 @@ private:
     const RaceOptions& options_;
     const std::function<void(double)>& progress_;
     Scene scene_;
-    std::mt19937_64 random_;                          // for the order
+    std::mt19937_64 random_;                          // for the order of the programs
     std::mt19937_64 chance_{std::random_device{}()};  // for the views, which must be unpredictable
     Race race_;
     std::vector<std::string> expected_;

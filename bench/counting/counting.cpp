@@ -20,7 +20,7 @@ namespace {
 struct BlockCount {
     PixelCount pixels;
     std::vector<LaneCount> lanes{};
-    std::uint64_t drawn = 0, steps = 0, iterations = 0;  // pixels rendered; steps and DE iterations of the march
+    std::uint64_t drawn = 0, steps = 0, iterations = 0;  // rendered pixels; steps of the march, and their DE iterations
 
     Operations operations() const { return std::accumulate(pixels.stages.begin(), pixels.stages.end(), Operations{}); }
 };

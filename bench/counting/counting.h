@@ -16,7 +16,7 @@
 
 namespace mandelmarch::bench {
 
-// Standard errors of two ratios if they are computed from a sample of the pixels; 0 if every pixel was counted.
+// Standard errors of two ratios that are computed from a sample of the pixels; 0 if every pixel was counted.
 struct CountErrors {
     double per_iteration = 0;  // of Count::per_iteration()
     double per_estimate = 0;   // of Count::march_iterations / Count::march_estimates
@@ -24,17 +24,17 @@ struct CountErrors {
 
 struct Count {
     std::array<Operations, stage_count> stages;
-    Work work;                 // of the counted pixels, from the kernel's own counters
+    Work work;                 // work of the counted pixels, from the kernel's own counters
     std::uint64_t pixels = 0;  // number of counted pixels
     std::uint64_t hits = 0;    // number of counted pixels that hit
-    // Lane utilisation of the march, for vectors and warps that render neighbouring pixels: squares, or rectangles with
-    // twice as many columns as rows.
+    // Lane utilisation of the march, for each length of CountOptions::lanes. The pixels of a vector or warp are
+    // neighbours and form a square, or a rectangle with twice as many columns as rows.
     std::vector<LaneUse> lane_use;
     std::uint64_t march_estimates = 0, march_iterations = 0;  // DE evaluations and DE iterations of the march alone
-    std::optional<CountErrors> errors;                        // unknown in results of older builds
+    std::optional<CountErrors> errors;                        // nullopt in results of older builds
 
     Operations all() const { return std::accumulate(stages.begin(), stages.end(), Operations{}); }
-    // Returns all operations / all DE iterations; 0 without iterations.
+    // Returns all operations / all DE iterations; 0 if there are no iterations.
     double per_iteration() const
     {
         return work.iterations == 0 ? 0 : static_cast<double>(all().total()) / static_cast<double>(work.iterations);
@@ -46,16 +46,17 @@ struct CountOptions {
     Mode mode = Mode::exact;
     Techniques techniques = {};
     std::vector<int> lanes = {16, 32};  // lengths of the vectors or warps for which lane utilisation is computed
-    // Of a larger picture, about this many pixels are counted: single pixels for operations, patches of neighbouring
-    // pixels for lane utilisation.
+    // If a picture has more pixels than this, only about this many are counted: single pixels for operations, patches
+    // of neighbouring pixels for lane utilisation.
     std::int64_t most_pixels = 40'000;
 };
 
-// Counts the operations of a picture, or of a sample of its pixels. Throws Unavailable if the fractal has no kernel.
+// Counts the operations of a picture, or of a sample of its pixels. Throws Unavailable if there is no counting kernel
+// for the fractal.
 Count count_operations(const Scene& scene, const CountOptions& options);
 
 // Counts only the given patches. Patches that are neighbours in the list must lie close together in the picture.
-// `every_pixel`: the patches cover the whole picture, so that standard errors are 0.
+// `every_pixel`: true if the patches cover the whole picture; standard errors are then 0.
 Count count_operations(const Scene& scene, const CountOptions& options, std::span<const Block> blocks,
                        bool every_pixel);
 

@@ -11,21 +11,21 @@
 
 namespace mandelmarch::bench {
 
-// Fractions of lanes that are active, 0 to 1, averaged over the steps and over the DE iterations of vectors. A step of
-// a vector takes as many iterations as its slowest lane; lanes that need fewer are inactive in the rest.
+// Fractions of lanes that are active, 0 to 1: averages over the steps, and over the DE iterations, of vectors. A step
+// of a vector takes as many iterations as its slowest lane; a lane that needs fewer is inactive in the remaining ones.
 struct ActiveLanes {
     double in_steps = 1, in_iterations = 1;
 };
 
 struct LaneUse {
     int lanes = 0;
-    ActiveLanes together;  // without refill: neighbouring pixels march together until the last one is done
+    ActiveLanes together;  // without refill: the pixels of a vector march together until the last of them is done
     // With refill: as soon as a lane's ray has ended, the lane takes the next pixel of the patch (persistent threads;
-    // Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Unknown in results of older
+    // Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). nullopt in results of older
     // builds.
     std::optional<ActiveLanes> refilled;
-    // Standard errors of `together` and `refilled` if they come from a sample of patches; 0 if every pixel was counted.
-    // Unknown in results of older builds.
+    // Standard errors of `together` and `refilled`, which come from a sample of patches; 0 if every pixel was counted.
+    // nullopt in results of older builds.
     std::optional<ActiveLanes> together_error{}, refilled_error{};
 };
 
@@ -38,8 +38,8 @@ public:
     // Adds the rays of a patch; consecutive rays belong to neighbouring pixels.
     void add(std::span<const RaySteps> block);
 
-    // Returns the lane utilisation over several patches. Each patch has its own LaneCount, all with the same number of
-    // lanes. `every_pixel`: the patches cover the whole picture, so that standard errors are 0.
+    // Returns the lane utilisation over several patches. `blocks`: one LaneCount for each patch, all with the same
+    // number of lanes. `every_pixel`: true if the patches cover the whole picture; standard errors are then 0.
     static LaneUse use(std::span<const LaneCount> blocks, bool every_pixel);
 
 private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-// Returns the patch's position on Morton's curve: the bits of its column and row interleaved.
+// Returns the patch's position on Morton's curve, which interleaves the bits of the patch's column and row.
 std::uint64_t place(const Block& block)
 {
     std::uint64_t bits = 0;
@@ -22,7 +22,7 @@ std::uint64_t place(const Block& block)
 }
 
 // Divides the numbers 0 ... count - 1 into strata of equal length and returns a random number from each, in rising
-// order. Neighbouring strata may share the number at their common end.
+// order. Two neighbouring strata may both return the number at their common end.
 std::vector<std::size_t> one_of_each(std::int64_t strata, std::size_t count)
 {
     const double length = static_cast<double>(count) / static_cast<double>(strata);

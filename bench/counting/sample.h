@@ -12,7 +12,7 @@ inline constexpr int block_side = 16;  // pixels
 
 // A square patch of pixels. Pixels outside the picture do not belong to it.
 struct Block {
-    int column = 0, row = 0;  // of its pixel with the lowest column and row
+    int column = 0, row = 0;  // lowest column and row
     int side = block_side;    // a power of two
 };
 
@@ -32,13 +32,14 @@ void each_pixel(const Block& block, int width, int height, Each each)
     }
 }
 
-// Returns all patches of a picture, along Morton's curve: neighbours in the list are neighbours in the picture.
+// Returns all patches of a picture, along Morton's curve, so that neighbours in the list lie close together in the
+// picture.
 std::vector<Block> all_blocks(int width, int height);
 
-// Return a stratified random sample of about `most` pixels, as whole patches or as single pixels; all of them if the
-// picture has no more. The list of all patches, or of all pixels, along Morton's curve is divided into strata of equal
-// length. One element of each stratum is chosen at random, so that every element has the same probability. The sample
-// is reproducible.
+// Return a stratified random sample of about `most` pixels: sample_of_blocks() as whole patches, sample_of_pixels() as
+// patches of one pixel. If the picture does not have more pixels, they return all of them. The list of all patches, or
+// of all pixels, along Morton's curve is divided into strata of equal length. One element of each stratum is chosen at
+// random, so that every element has the same probability. The sample is reproducible.
 std::vector<Block> sample_of_blocks(int width, int height, std::int64_t most);
 std::vector<Block> sample_of_pixels(int width, int height, std::int64_t most);
 

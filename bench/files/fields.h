@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes a record once, as a list of its fields; the writer and reader of JSON, the columns of the CSV and the
-// published JSON Schema follow from the list. To describe a record, specialise Fields (bench/files/result_fields.h).
+// Describes a record once, as a list of its fields. The JSON writer and reader, the columns of the CSV and the
+// published JSON Schema are derived from this list. To describe a record, specialise Fields, as in
+// bench/files/result_fields.h.
 //
-// A field's value may be a bool, a number, a text, an enumeration (Names), an Interval, JSON, a described record, or a
-// std::optional, std::vector or std::array of these. A std::map of them by name is written, but not read.
+// A field's value may be a bool, a number, a text, an enumeration (Names), an Interval, JSON, a described record, a
+// std::optional or std::vector of these, or a std::array with a name for each element (Keys). A std::map whose keys are
+// names is written, but not read.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,10 +29,10 @@ namespace mandelmarch::bench {
 
 using Json = nlohmann::ordered_json;
 
-// The value that is stored as null.
+// The value that a field stores as null: an empty text, 0 or infinity. `none`: it stores no value as null.
 enum class Null { none, empty, zero, infinite };
 
-// JSON's numbers are exact integers up to here.
+// The largest integer up to which JSON readers, which may use doubles, represent every integer exactly.
 inline constexpr double max_integer = 0x1p53;
 
 struct Rule {
@@ -59,7 +61,7 @@ constexpr Field<Member, false> derived_field(const char* key, Member member, con
     return {key, member, column, rule};
 }
 
-// Fields<Record>::name is the record's name in the schema, Fields<Record>::list a std::tuple of its fields.
+// Fields<Record>::name is the record's name in the schema. Fields<Record>::list is a std::tuple of the record's fields.
 template <class Record>
 struct Fields;
 template <class T>
@@ -87,7 +89,7 @@ concept Keyed = requires
 };
 
 template <class T>
-struct Element;  // ::type of an optional, a vector or an array
+struct Element;  // ::type is the type of the elements of a std::optional or std::vector
 template <class T>
 struct Element<std::optional<T>> {
     using type = T;
@@ -200,11 +202,11 @@ struct Refusal {
     throw Refusal{"", fmt::format("{} given, expected {}", printable(json.dump(), 80), expected)};
 }
 
-// Reads a value as to_json() wrote it. Throws Refusal.
+// Reads a value that to_json() wrote. Throws Refusal if the JSON does not hold a valid value.
 template <class T>
 void from_json(const Json& json, T& value, const Rule& rule = {});
 
-// Calls read(), and adds the place to a Refusal that it throws.
+// Calls read(). If read() throws a Refusal, puts `place` in front of the Refusal's place and throws it again.
 template <class Read>
 void at_place(const std::string& place, const Read& read)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of a result file (docs/bench-output.md). A new figure is one line here.
+// The fields of a result file (docs/bench-output.md). To add a figure, add a line here.
 #pragma once
 
 #include <string>

@@ -27,7 +27,7 @@ std::string text_of_file(const std::string& path)
     return text.str();
 }
 
-// Returns a discarded value for a text that is not JSON.
+// Returns the JSON in the text; if the text is not JSON, a value for which is_discarded() is true.
 Json parsed(const std::string& text, const std::string& name)
 {
     check_json_depth(text, name);
@@ -36,7 +36,7 @@ Json parsed(const std::string& text, const std::string& name)
 
 Json schema_in(const Json& json) { return json.is_object() ? json.value("schema", Json()) : Json(); }
 
-// Throws Refusal if two configurations have the same name, or operation counts have no lane utilisation.
+// Throws Refusal if two configurations have the same name, or if operation counts have no lane utilisation.
 void check(const Result& result)
 {
     std::set<std::string> names;
@@ -50,7 +50,7 @@ void check(const Result& result)
     }
 }
 
-// Returns the result that the JSON holds. Throws Refusal.
+// Returns the result that the JSON holds. Throws Refusal if it is not a valid result.
 Result result_of(Json json)
 {
     if (schema_in(json) != result_schema) throw Refusal{"", "not a result of bench"};

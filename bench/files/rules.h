@@ -13,7 +13,8 @@ namespace mandelmarch::bench {
 
 namespace rules {
 
-// Times may be 0 or less: for such samples `bench compare` reports that the configuration cannot be compared.
+// Times of 0 or less are read without an error. If a configuration has one, `bench compare` reports that it cannot be
+// compared.
 inline constexpr Rule seconds{.min = -1e9, .max = 1e9, .timed = true};
 inline constexpr Rule real{.min = -1e6, .max = 1e6};
 inline constexpr Rule rate{.max = 1e30, .timed = true};

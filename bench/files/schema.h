@@ -49,7 +49,7 @@ Json record_schema(Json& definitions)
     return object_schema(std::move(properties));
 }
 
-// The schemas do not repeat larger limits, which only catch damaged files.
+// Limits of at least this size are left out of the schemas, because they only serve to detect damaged files.
 inline constexpr double most_limited = 1e9;
 
 template <class Number>
@@ -69,7 +69,7 @@ Json schema_of(const Rule& rule, Json& definitions)
 {
     if constexpr (Described<T>) {
         if (!definitions.contains(Fields<T>::name)) {
-            definitions[Fields<T>::name] = Json();  // keeps its place in front of the records in it
+            definitions[Fields<T>::name] = Json();  // reserves its place in front of the records that it contains
             Json schema = record_schema<T>(definitions);
             definitions[Fields<T>::name] = std::move(schema);
         }

@@ -21,8 +21,7 @@ constexpr Names keys[] = {{"block", "block_size"},      {"fine", "passed"},
                           {"roots", "square_roots"},    {"stride", "step_factor"},
                           {"sums", "additions"},        {"yardstick", "is_expected"}};
 
-// Parts of texts that are replaced: sweep values, disabled optimisations, names of pictures, and the study of SIMD
-// widths.
+// Parts of texts to replace: sweep values, disabled optimisations, names of pictures, and the study of SIMD widths.
 constexpr Names texts[] = {{"block=", "block-size="},
                            {"blocks", "block-sizes"},
                            {"normal", "gradient"},
@@ -45,7 +44,7 @@ std::string renamed(std::string text)
     return text;
 }
 
-// Replaces the keys of version 1 in all objects but the environment, which has none of them.
+// Replaces the keys of version 1 in all objects except the environment, which has none of these keys.
 void rename(Json& json)
 {
     if (json.is_array()) {
@@ -77,7 +76,8 @@ Json active_lanes(const Json& json, const std::string& how)
     return {{"in_steps", json[steps]}, {"in_iterations", json.value(how + "active_in_iterations", Json())}};
 }
 
-// Returns the list of lane utilisations. The oldest results have only one vector length, and none with refill.
+// Returns the list of lane utilisations. The oldest results have a single vector length, and no utilisation with
+// refill.
 Json lane_use(const Json& counted)
 {
     Json list = Json::array();

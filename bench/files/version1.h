@@ -6,8 +6,8 @@
 
 namespace mandelmarch::bench {
 
-// Changes a result, a duel or an equivalence test of version 1 to version 2. Derived figures are left out, as they
-// follow from the samples. JSON of another kind or version stays as it is.
+// Changes a result, a duel or an equivalence test of version 1 to version 2. Does not add derived figures that version
+// 1 lacks, because the reader computes them from the samples. JSON of another kind or version stays as it is.
 void upgrade(nlohmann::ordered_json& json);
 
 }  // namespace mandelmarch::bench

@@ -75,8 +75,8 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
     };
     std::vector<Asked> asked;
     for (const auto& backend : registry.backends()) {
-        // The highest peak of a device may be reached by any backend, so all are measured, including those that are not
-        // timed.
+        // Any backend may reach the highest peak of a device. Therefore all backends are measured, including those that
+        // are not timed.
         int index = 0;
         for (const Device& device : listing_of(*backend).devices) {
             for (const Precision precision : options.precisions) {
@@ -97,7 +97,7 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
             peak.rate = *rate;
             peaks.push_back(std::move(peak));
         } catch (const Error&) {
-            continue;  // no support for double, for example; a failing device is reported in its rows
+            continue;  // for example, no support for double; the device's rows report a failure of the device
         }
     }
     return peaks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Multiply-add peaks, which are measured several times, and a check whether the highest one is credible.
+// Multiply-add peaks. Each is measured several times, to check whether the highest rate is credible.
 #pragma once
 
 #include <functional>
@@ -19,8 +19,8 @@ public:
     // Returns the highest rate of each backend, device and precision.
     std::vector<Peak> best() const;
 
-    // Returns one peak for each backend, device and precision that was measured only once, or whose two highest rates
-    // are more than 5 % apart.
+    // Returns the doubtful peaks: the highest rate of each backend, device and precision if it was measured only once,
+    // or if the second highest rate is more than 5 % below it.
     std::vector<Peak> doubtful() const;
 
     // Returns a warning for each doubtful peak.
@@ -32,12 +32,14 @@ private:
 };
 
 // Measures the multiply-add peak of every device in the selected precisions. Backends without a peak kernel are left
-// out. `wanted` is called with each peak before it is measured (rate 0); if it returns false, the peak is not measured.
+// out. Before each measurement, calls wanted() with the peak, whose rate is still 0; if wanted() returns false, the
+// peak is not measured.
 inline bool every_peak(const Peak&) { return true; }
 std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
                                 const std::function<bool(const Peak&)>& wanted = every_peak);
 
-// Measures doubtful peaks again, at most three times. Returns the record with the added measurements.
+// Measures doubtful peaks again by calling `again`, at most three times. Returns the record with the added
+// measurements.
 using PeakMeasurement = std::function<std::vector<Peak>(const std::function<bool(const Peak&)>& wanted)>;
 PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again);
 

@@ -23,8 +23,8 @@ double processor_seconds()
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-// Seconds. If a picture takes less, it is rendered once without timing before it is timed. This restores threads,
-// caches and clock frequency after the previous configuration.
+// Seconds. If a picture takes less, it is rendered once without timing before it is timed. The first rendering wakes
+// the threads, fills the caches and raises the clock frequency after the previous configuration.
 constexpr double warmed_below = 0.1;
 
 bool narrow_enough(const Row& row, double half_width)
@@ -133,8 +133,8 @@ Sample draw_sample(TimedCase& row, Image& image)
     const Case& one = *row.one;
     const int frames = one.row.setting.frames;
     if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
-    // Overwrite the image, so that the previous configuration's picture cannot be taken for this one's if a backend
-    // does not write its pixels.
+    // Overwrite the image. Otherwise, if a backend did not write its pixels, the previous configuration's picture would
+    // pass for its own.
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});
     Sample sample;
     const double processor = processor_seconds();

@@ -3,7 +3,7 @@
 //
 // A round renders every configuration that still needs samples, in a new random order each time, so that a lasting
 // disturbance slows all alike and configurations can be compared round by round. A configuration is done when the 95 %
-// interval of its median is narrower than 2 % to either side, or when its limit of time or of rounds is reached.
+// interval of its median extends less than 2 % to either side, or when its limit of time or of rounds is reached.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ struct TimedCase {
     Case* one = nullptr;
     std::unique_ptr<Renderer> renderer;
     RenderStats first = {};         // stats of the verified picture
-    std::uint64_t fingerprint = 0;  // of the verified picture; every timed picture must have the same
+    std::uint64_t fingerprint = 0;  // of the verified picture; every timed picture must have the same fingerprint
     double expected = 0;            // expected kernel time of a picture, seconds
     double spent = 0;               // seconds so far in the timed rounds
     bool done = false;
@@ -43,16 +43,16 @@ struct Rules {
     double long_picture = 4;         // seconds: a picture that takes longer is rendered only once, for verification
     int least = 6;                   // rounds; fewer give no 95 % interval of a median
     int most = 40;
-    double half_width = 0.02;  // relative to the median; a configuration with a narrower 95 % interval is done
+    double half_width = 0.02;  // of a 95 % interval, relative to the median; below it, a configuration is done
     std::uint64_t seed = 1;
     int run = 0;
 };
 
-// Returns the rules of the options and of their study.
+// Returns the rules that follow from the options and their study.
 Rules rules_of(const Options& options);
 
-// Marks each configuration whose picture takes longer than rules.long_picture as done; the verified picture is its only
-// sample. Does nothing if the number of rounds is given.
+// If a configuration's picture takes longer than rules.long_picture, marks the configuration as done and takes the
+// verified picture as its only sample. Does nothing if rules.repetitions is given.
 void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules);
 
 // Renders the rounds and adds the samples to the configurations. If a backend throws, or a picture differs from the

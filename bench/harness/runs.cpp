@@ -67,13 +67,13 @@ Result with_further_runs(Result first, int count, const RunProcess& run)
 Result run_again(const std::vector<std::string>& arguments, int run)
 {
     const MemoryFile file;
-    // Start this program again, by the name by which it was called.
+    // Start this program again, under the name by which it was called.
     std::vector<std::string> words{program_invocation_name};
     words.insert(words.end(), arguments.begin(), arguments.end());
     words.insert(words.end(), {"--quiet", "--json", "-", "--run", std::to_string(run)});
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     const int code = ChildProcess({.words = std::move(words), .program = program, .output = file.number()}).end().code;
-    // bench leaves a result with these two exit codes only (failure: a wrong picture).
+    // bench writes a result only if it ends with one of these two exit codes. exit_failure means a wrong picture.
     if (code != exit_success && code != exit_failure) throw Error(fmt::format("ended with {}", code));
     const std::string text = file.text();
     if (text.empty()) throw Error(fmt::format("ended with {} and left no result", code));

@@ -19,13 +19,13 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Seconds. The timed rounds get the part of whole_budget that verification, counting and the first peaks have left, but
-// at least least_budget and at most usual_budget.
+// Seconds. The timed rounds get the part of whole_budget that verification, counting and the first peaks have not used,
+// but at least least_budget and at most usual_budget.
 constexpr double whole_budget = 150;
 constexpr double least_budget = 15;
 constexpr double usual_budget = 100;
 
-// Counts the operations of each picture once, and stores the number in all configurations that render it.
+// Counts the operations of each picture once, and stores their number in all configurations that render this picture.
 void count_all(std::vector<TimedCase>& rows, Result& result, const Phase& phase)
 {
     std::size_t done = 0;
@@ -82,8 +82,8 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const Telemetry telemetry;
     run_rounds(live, rules, phase);
     const nlohmann::ordered_json told = telemetry.since_start();
-    // Measure the peaks again: if the machine was slower before the rounds, those peaks are too low, and the shares of
-    // peak would be too high.
+    // Measure the peaks again. If the machine was slower before the rounds, the first peaks are too low, and the shares
+    // of peak would be too high.
     record.add(peaks(every_peak));
     record = settled_peaks(std::move(record), peaks);
     result.peaks = record.best();

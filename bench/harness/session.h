@@ -7,8 +7,8 @@
 namespace mandelmarch::bench {
 
 // Runs the study that the options name. All pictures are verified before anything is timed; a configuration with a
-// wrong picture is not timed. Throws InputError if the options are invalid, Unavailable if the only selected backend is
-// not available.
+// wrong picture is not timed. Throws InputError if the options select no configuration. If a single backend is
+// selected, throws Unavailable if it is not available, and Error if it fails to list its devices.
 Result measure(const Registry& registry, const Options& options, const Phase& phase);
 
 }  // namespace mandelmarch::bench

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t most_reference_pixels = 1 << 20;
 
-// Throws Unavailable if there is not enough memory for three pictures with all layers, as used in verification, and one
-// with bytes only, as used in timing.
+// Throws Unavailable if there is not enough memory for the three pictures with all layers that verification uses, and
+// the one with bytes alone that timing uses.
 void check_memory(const Scene& scene)
 {
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
@@ -39,8 +39,8 @@ void describe(Row& row, const RenderStats& report)
     row.work = report.work;
 }
 
-// Calls `draw`, which renders the first picture. If it throws, the message is kept as the reason why the configuration
-// has no speed.
+// Calls draw(), which renders the first picture. If draw() throws, stores the message in the row, as the reason why the
+// configuration has no speed. Returns nullopt if the configuration cannot be timed.
 template <class Draw>
 std::optional<TimedCase> prepared(Case& one, const Draw& draw)
 {
@@ -54,7 +54,7 @@ std::optional<TimedCase> prepared(Case& one, const Draw& draw)
     } catch (const Unavailable& error) {
         row.unavailable = error.what();
     } catch (const InputError& error) {
-        // An option is not supported, for example a pack width on this machine.
+        // An option is not supported: for example, this machine lacks a pack width.
         row.unavailable = error.what();
     } catch (const Error& error) {
         row.failure = error.what();
@@ -126,13 +126,13 @@ const ExpectedPicture& ExpectedPictures::for_case(const Case& one)
 void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expected)
 {
     const Agreement found = agreement(expected.image, image, row.precision);
-    // The reference is a separate implementation: its exact picture is close to the kernel's, not identical.
+    // The reference is a separate implementation: its exact picture is close to the kernel's, but not identical.
     const Level required = role == Role::reference ? Level::perceptual : level_required(row.mode);
     Verification& verification = row.verification;
     verification.drawn = true;
     verification.passed = found.level <= required;
-    // With `--without refinement` hits are not refined: the same rays hit, but at slightly different points. Then only
-    // the hits are compared: at most one pixel in a thousand may hit instead of miss, or miss instead of hit.
+    // With `--without refinement`, the same rays hit, but at slightly different points. The check then only compares
+    // which rays hit: at most one pixel in a thousand may hit instead of miss, or miss instead of hit.
     if (!techniques_without(row.setting.without).refinement) {
         verification.passed = found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
     }

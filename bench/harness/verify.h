@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prepares configurations for timing: compares the picture of each with the expected one.
+// Prepares configurations for timing: compares the picture of each with its expected picture.
 #pragma once
 
 #include <functional>
@@ -12,37 +12,38 @@
 
 namespace mandelmarch::bench {
 
-// An expected picture, and a configuration that has to render it.
+// An expected picture.
 struct ExpectedPicture {
-    std::optional<Case> of;
-    std::string name;  // for messages
+    std::optional<Case> of;  // a configuration that is compared with it
+    std::string name;        // for messages
     Image image;
     RenderStats stats;
 };
 
 // Renders the expected pictures. Keeps the last one for exact mode and the last one for fast mode.
-// The picture of a configuration is compared with
-//   in exact mode: the scalar kernel's on the host (--simd-width 1), in the same precision. The bits must be the same.
-//   in fast mode: the reference's canonical picture in double; or the scalar kernel's fast picture in double, if the
-//     reference would take minutes (more than a million pixels) or does not support the scene. At most 2 % of the
-//     pixels may differ visibly.
-//   for the reference itself in exact mode: the scalar kernel's, in double. At most 2 % may differ visibly.
+//   - In exact mode, the expected picture is that of the scalar kernel on the host (--simd-width 1), in the same
+//     precision. The bits must be the same. Only pictures of the reference may differ: visibly in at most 2 % of the
+//     pixels.
+//   - In fast mode, the expected picture is the reference's canonical picture in double. If the reference would take
+//     minutes (more than a million pixels) or does not support the scene, it is the scalar kernel's fast picture in
+//     double. At most 2 % of the pixels may differ visibly.
 class ExpectedPictures {
 public:
     explicit ExpectedPictures(const Registry& registry) : registry_(registry) {}
 
-    // Throws Unavailable if this build has no suitable backend to compare with.
+    // Returns the expected picture of a configuration, valid until the next call. Throws Unavailable if the backend
+    // that would render it is not available.
     const ExpectedPicture& for_case(const Case& one);
 
     // Returns true if the configuration itself renders the expected picture of fast mode, so that there is nothing to
-    // compare with. In exact mode the scalar kernel is compared with a second picture of its own.
+    // compare it with. Returns false in exact mode, where the scalar kernel is compared with its own second picture.
     bool renders_expected(const Case& one) const;
 
     // Returns true if both configurations have the same expected picture.
     bool same(const Case& a, const Case& b) const;
 
-    // Returns the configurations with a backend in an order in which those with the same expected picture follow each
-    // other, so that each expected picture is rendered only once.
+    // Returns the configurations that have a backend. Configurations with the same expected picture follow each other,
+    // so that each expected picture is rendered only once.
     std::vector<Case*> grouped(std::vector<Case>& cases) const;
 
 private:
@@ -58,15 +59,15 @@ private:
     ExpectedPicture exact_, fast_;
 };
 
-// Compares a picture, rendered by a backend with this role, with the expected one. Sets row.verification and, if the
-// picture is wrong, row.failure.
+// Compares `image`, rendered by a backend with the role `role`, with the expected picture. Sets row.verification and,
+// if `image` is wrong, row.failure.
 void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expected);
 
 // Receives a configuration's picture, right or wrong, after its verification.
 using KeepPicture = std::function<void(const Row&, const Image&)>;
 
-// Renders the configuration's picture once and verifies it. Returns nullopt if the configuration cannot be timed;
-// one.row then holds the reason.
+// Renders the configuration's picture once, verifies it, and passes it to `keep`. Returns nullopt if the configuration
+// cannot be timed; one.row then holds the reason.
 std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, const KeepPicture& keep = {});
 
 // Calls verified_case() for all configurations, and returns those that can be timed.
@@ -74,7 +75,8 @@ std::vector<TimedCase> verified_cases(std::vector<Case>& cases, const Registry& 
                                       const KeepPicture& keep = {});
 
 // Renders the configuration's picture once without verifying it, for later runs of a program whose first run has
-// verified it. The caller must compare the fingerprints. Returns nullopt as verified_case() does.
+// verified it. The caller must compare the fingerprint with that of the first run. Returns nullopt as verified_case()
+// does.
 std::optional<TimedCase> unverified_case(Case& one);
 
 // Returns a hash of the picture's bytes (FNV-1a, 64 bits).

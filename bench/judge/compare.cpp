@@ -30,7 +30,7 @@ std::vector<double> units_of(const Row& row, bool by_run)
     return by_run ? run_medians(row) : group_medians(kernel_times(row));
 }
 
-// Returns why a configuration cannot be compared; empty if it can.
+// Returns the reason why a configuration cannot be compared; empty if it can be compared.
 std::string lack_of(const Row& row, bool by_run)
 {
     if (!row.unavailable.empty()) return "unavailable: " + row.unavailable;
@@ -90,7 +90,7 @@ std::string platform_names(const Result& result)
     return text.empty() ? "no platform" : printable(text, 200);
 }
 
-// Returns the comparison of a configuration that only the old result has.
+// Returns the verdict on a configuration that only the old result has.
 Judged missing(const Row& row, const Result& new_result, bool by_run)
 {
     Judged c{.name = row.name(), .why = "not in the new result"};

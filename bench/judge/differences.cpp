@@ -40,7 +40,7 @@ std::string words(const Json& value)
     return printable(value.is_string() ? value.get<std::string>() : value.dump(), 200);
 }
 
-// Returns the flags that the first CPU has and the second lacks, separated by spaces.
+// Returns the CPU flags in `flags` that are not in `others`, separated by spaces; "none" if there are none.
 std::string only_in(const Json& flags, const Json& others)
 {
     std::string only;
@@ -52,7 +52,7 @@ std::string only_in(const Json& flags, const Json& others)
     return only.empty() ? "none" : printable(only, 200);
 }
 
-// Returns the compilers, flags and drivers of the backends. The keys are the words that describe them in messages.
+// Returns the compilers, flags and drivers of the backends. The keys are their names in messages: "compiler of openmp".
 std::map<std::string, Json> backends_of(const Json& environment)
 {
     std::map<std::string, Json> found;
@@ -93,7 +93,7 @@ std::vector<std::string> differences_of(const Json& old_environment, const Json&
         lines.push_back(fmt::format("CPU flags: {} in the old result only, {} in the new only",
                                     only_in(old_flags, new_flags), only_in(new_flags, old_flags)));
     }
-    // Backends and devices that only one result has are skipped here, as the comparison of configurations names them.
+    // Backends and devices that only one result has are skipped, because the table of configurations shows them.
     const std::map<std::string, Json> before = backends_of(old_environment);
     for (const auto& [what, value] : backends_of(new_environment)) {
         if (const auto found = before.find(what); found != before.end()) look(what, found->second, value);

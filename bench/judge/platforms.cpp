@@ -33,7 +33,7 @@ bool same_boot(const Result& a, const Result& b)
     return boot.is_string() && boot == value_at(b.environment, "/os/boot");
 }
 
-// Returns true if both results have the same facts of the CPU. A fact that only one result has is ignored.
+// Returns true if the facts about the CPU are the same in both results. A fact that only one result has is ignored.
 bool same_facts(const Result& a, const Result& b)
 {
     for (const char* fact : {"/cpu/stepping", "/cpu/flags", "/cpu/caches", "/cpu/cores_usable"}) {
@@ -70,14 +70,14 @@ void rename(Result& result, const std::string& platform, const std::string& name
 std::vector<Result> disambiguated(std::span<const Result> results)
 {
     std::vector<Result> renamed(results.begin(), results.end());
-    std::map<std::string, std::vector<std::size_t>> holders;  // results that have the platform
+    std::map<std::string, std::vector<std::size_t>> holders;  // indices of the results that have the platform
     for (std::size_t i = 0; i < results.size(); ++i) {
         for (const std::string& name : platforms_of(results[i])) holders[name].push_back(i);
     }
     for (const auto& [name, indices] : holders) {
         const std::string& platform = name;     // clang 14 cannot capture a structured binding
-        std::vector<std::size_t> machines;      // the first result of each
-        std::map<std::size_t, std::size_t> of;  // machine of each result
+        std::vector<std::size_t> machines;      // index of the first result of each machine
+        std::map<std::size_t, std::size_t> of;  // index of each result's machine in `machines`
         for (const std::size_t i : indices) {
             const auto same = std::ranges::find_if(machines, [&](std::size_t j) {
                 const bool cpu = is_cpu(results[i], platform) && is_cpu(results[j], platform);

@@ -39,11 +39,12 @@ struct Problem {
 
 using Seconds = std::map<std::pair<std::string, std::string>, double>;  // by application and platform
 
-// Returns a random value of the time that the configuration may really have.
-// With several runs: its logarithm is the mean of the runs' logarithms plus Student's t times the mean's standard
-// error, so that 95 % of the values lie within run_interval(). This is Weerahandi's generalized interval (JASA 88,
-// 1993), which also holds for quantities computed from several configurations. With one run: it is the median of the
-// run's times resampled with replacement, which shows only the scatter within that run.
+// Returns a random time, from the distribution of the times that the configuration may really have.
+// If there are several runs, the logarithm of the time is the mean of the runs' logarithms plus the mean's standard
+// error times a random value of Student's t. Then 95 % of the times lie within run_interval(). This is Weerahandi's
+// generalized interval (JASA 88, 1993), which also holds for quantities computed from several configurations.
+// If there is one run, the time is the median of the run's times, resampled with replacement. Such times show only the
+// scatter within that run.
 double drawn(const Entry& entry, std::mt19937_64& random)
 {
     const std::vector<double>& x = entry.logarithms;
@@ -80,14 +81,14 @@ public:
         for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
     }
 
-    // Records that the result contains this backend without a device: the backend then supports none of the result's
-    // platforms.
+    // Records that the result contains this backend without a device. The backend then counts as unsupported on all of
+    // the result's platforms.
     void add_unavailable(const Result& result, const std::string& application)
     {
         if (platforms_of_.contains(&result)) applications_of_[&result].insert(application);
     }
 
-    // Returns true if there is a result that contains both the platform and the application, even if not together.
+    // Returns true if a result contains both the platform and the application, even if no row has both.
     bool is_measured(const std::string& application, const std::string& platform) const
     {
         return std::ranges::any_of(platforms_of_, [&](const auto& of) {
@@ -193,7 +194,8 @@ Portability of(const Problem& problem, const PlatformTimes& field, const std::st
     p.platforms = field.efficiencies(application, field.seconds(nullptr));
     p.application_portability = mean_of(p.platforms, &OnPlatform::application);
     p.architecture_portability = mean_of(p.platforms, &OnPlatform::architecture);
-    // The intervals are percentiles of the metric, computed many times from random values of all times.
+    // The metric is computed many times, each time from random times (drawn()). The intervals are percentiles of these
+    // values.
     std::mt19937_64 random(1);
     std::vector<double> by_application;
     std::vector<double> by_architecture;

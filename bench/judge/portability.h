@@ -5,7 +5,7 @@
 // Here an application is a backend, a platform is a device, and a problem is a fractal at one size, in one precision
 // and mode. An application with the efficiencies e_i on the platforms of a set H has the performance portability
 //   PP = |H| / sum of 1 / e_i   if every platform of H is supported, else 0.
-// An application's H holds the platforms of all results, except those on which it was not measured.
+// An application's H holds the platforms of all results, except those on which the application was not measured.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@
 
 namespace mandelmarch::bench {
 
-// Returns the harmonic mean of the efficiencies; 0 if one is 0 (unsupported) or there are none.
+// Returns the harmonic mean of the efficiencies; 0 if one of them is 0 (unsupported) or the list is empty.
 double performance_portability(std::span<const double> efficiencies);
 
 // An application on one platform. Both efficiencies are 0 if the application is not supported there or its picture is
@@ -30,9 +30,9 @@ struct OnPlatform {
     double architecture = 0;  // architectural efficiency: share of the measured multiply-add peak
 };
 
-// A step of a cascade, which adds one platform after the other, in the order of falling application efficiency:
-// `portability` is computed over this platform and those before it (Sewall, Pennycook and others, "Interpreting and
-// visualizing performance portability metrics", P3HPC 2020).
+// A step of a cascade. A cascade adds one platform after the other, in the order of falling application efficiency.
+// `portability` is computed over this platform and the platforms before it (Sewall, Pennycook and others, "Interpreting
+// and visualizing performance portability metrics", P3HPC 2020).
 struct CascadeStep {
     std::string platform;
     double efficiency = 0;
@@ -55,21 +55,22 @@ struct Portability {
 };
 
 // Computes the metric for each problem and application, over the platforms of all results, after disambiguated().
-// Configurations of sweeps, of the scalar kernel and of the reference, which is not an application, are left out. If a
-// backend has several devices on one platform, the fastest counts.
+// Configurations of sweeps and of the scalar kernel are left out, as are those of the reference, which is not an
+// application. If a backend has several devices on one platform, the fastest counts.
 //
-// An application counts as unsupported on a platform if a result contains both, but no correct picture of the
-// application on the platform: the application is unavailable there, its picture is wrong, or it ran only on other
-// platforms of the result. An application that was not measured on any platform for a problem has an empty H.
+// An application counts as unsupported on a platform if a result contains the application and the platform, but no
+// correct picture of this application on this platform: it is unavailable there, its picture is wrong, or it ran only
+// on other platforms of the result. If an application was measured on no platform for a problem, its H is empty.
 std::vector<Portability> portability(std::span<const Result> given);
 
-// Returns the entries whose H is not empty.
+// Returns JSON of the entries whose H is not empty.
 nlohmann::ordered_json json_of(const std::vector<Portability>& portabilities);
 
-// Returns the columns problem, application, platform and fom (pixels per second of kernel time, higher is better), as
-// read by p3-analysis-library, and h: the platforms in the application's platform set H, separated by "; ". There is
-// one line for each application and each platform it runs on. The library takes a missing line to mean that the
-// application does not run on the platform, even if the platform is not in h.
+// Returns CSV with one line for each problem, each application, and each platform on which the application runs. The
+// first four columns are those that p3-analysis-library reads: problem, application, platform and fom (pixels per
+// second of kernel time, higher is better). The column h has the platforms of the application's H, separated by "; ".
+// The library takes a missing line to mean that the application does not run on the platform, even if the platform is
+// not in h.
 std::string to_csv(const std::vector<Portability>& portabilities);
 
 // Returns the table of `bench portability`.

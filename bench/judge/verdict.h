@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one judge of measured ratios, for compare, duel and the summary of a study.
+// Verdicts on measured ratios, for compare, duel and the summary of a study.
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@
 
 namespace mandelmarch::bench {
 
-inline constexpr double margin = 0.02;        // ratios from 1 / (1 + margin) to 1 + margin are never called different
-inline constexpr double significance = 0.05;  // probability of any false alarm among all ratios judged together
+inline constexpr double margin = 0.02;        // true ratios from 1 / (1 + margin) to 1 + margin count as the same
+inline constexpr double significance = 0.05;  // max probability of a false alarm among all ratios judged together
 
 enum class Verdict {
     faster,        // by more than the margin
     slower,        // by more than the margin
     same,          // within the margin
-    undecided,     // the interval allows both; more runs would decide
-    wrong,         // the old one has a speed, the new one a wrong picture or a failure
+    undecided,     // none of these three; more runs would decide
+    wrong,         // the old side has a speed; the new side has a wrong picture or failed
     missing,       // comparable in the old result, but not in the new one
     only_new,      // only the new result has a speed
-    not_compared,  // neither result has a comparable speed
-    no_speed       // the old program of a duel has no speed
+    not_compared,  // the old result has no comparable speed, and the verdict is not only_new
+    no_speed       // not tested: a duel's old program has no speed, or there are too few times
 };
 std::string_view name_of(Verdict verdict);
 
@@ -31,19 +31,19 @@ std::string_view name_of(Verdict verdict);
 struct Judged {
     std::string name;
     Verdict verdict = Verdict::not_compared;
-    std::string why{};        // why the ratio was not tested; empty if it was
+    std::string why{};        // the reason why the ratio was not tested; empty if it was tested
     Difference difference{};  // the test of the times' ratio, new / old
     double p = 1;             // after Holm's correction
-    // Numbers of compared medians: one for each run, or one for each group of samples if there is one run only.
+    // Numbers of compared medians: one median for each run, or for each group of samples if there is only one run.
     int old_units = 0, new_units = 0;
     bool same_picture = true;  // in a duel: the programs' pictures are equal byte for byte
 };
 
 // Judges the configurations whose verdict is `undecided`, all together. Their differences must come from tests with the
-// margin `within`. A ratio is
+// margin `within`. A configuration is
 //   - faster or slower, if the test for a ratio beyond the margin is significant after Holm's correction over all
-//     ratios, so that at most 5 in 100 studies of equal programs report a difference;
-//   - the same, if its own 95 % interval lies within the margin;
+//     ratios. Then at most 5 in 100 studies of equal programs report a difference;
+//   - the same, if the 95 % interval of its ratio, without the correction, lies within the margin;
 //   - else undecided.
 void judge(std::vector<Judged>& rows, double within);
 
@@ -55,7 +55,8 @@ bool regression(const std::vector<Judged>& rows);
 std::string table_of(const std::vector<Judged>& rows, int decimals);
 
 // Returns a line with the number of configurations with each verdict: "verdicts: 1 faster, 2 same within 2 %, 4
-// undecided (more runs would tell: --runs)". Empty if there are no verdicts.
+// undecided (more runs would tell: --runs)". The verdicts new, no speed and not compared are left out. Returns an empty
+// text if there are no others.
 std::string summary_of(const std::vector<Judged>& rows, double within);
 
 }  // namespace mandelmarch::bench

@@ -55,7 +55,7 @@ std::string line_of(const Result& result, const Contest& contest)
     const std::string name = label_of(first);
     std::string text = fmt::format("{} {} {}: ", first.fractal, name_of(first.precision), name_of(first.mode));
     if (contest.rivals.empty()) return text + name + " alone was timed";
-    // Name the first rival that is not slower than the winner or, if all are slower, the fastest of them.
+    // Name the first rival that is not slower than the fastest configuration or, if all are slower, the first of them.
     const auto slower = [](const Judged& rival) { return rival.verdict == Verdict::slower; };
     const auto open = std::ranges::find_if_not(contest.rivals, slower);
     const bool won = open == contest.rivals.end();
@@ -70,7 +70,8 @@ std::string line_of(const Result& result, const Contest& contest)
     return text + ": undecided, more runs would tell";
 }
 
-// Returns a line with the number of processors that other programs and the hypervisor left free; empty if unknown.
+// Returns a line with the number of processors that other programs and the hypervisor left free; empty if the number is
+// unknown.
 std::string free_processors(const Result& result)
 {
     const auto known = [&](const char* place) {

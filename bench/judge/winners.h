@@ -10,23 +10,23 @@
 
 namespace mandelmarch::bench {
 
-// The timed configurations of one fractal in one precision and mode.
+// The timed configurations of one picture, that is, of one fractal and scene, in one precision and mode.
 struct Contest {
     const Row* fastest = nullptr;  // by the median kernel time
-    // All other configurations, fastest first; each ratio is a kernel time / the fastest's. Verdicts are slower, same
-    // or undecided. The verdict is no_speed, with the ratio only, if a configuration and the fastest have neither two
-    // runs in common nor, with only one run in common, six rounds of it.
+    // All other configurations, fastest first. Each ratio is the configuration's kernel time / that of `fastest`. If
+    // the configuration and `fastest` have two runs, or six rounds of one run, in common, the verdict is slower, same
+    // or undecided. Otherwise the verdict is no_speed, and of the difference only the ratio is set.
     std::vector<Judged> rivals;
 };
 
-// Returns the contests among a standard study's timed configurations, without the reference, which is not an
-// application. Two configurations are compared by the ratios of their kernel times in the same run and round. If there
-// are several runs, the test uses the median of each run; else it uses the medians of groups of three rounds. The
-// p-values are corrected over all rivals of all contests.
+// Returns the contests of a standard study, without the reference, which is not an application; empty for other
+// studies. Two configurations are compared by the ratios of their kernel times in the same run and round. If there are
+// several runs, the test uses the median ratio of each run; otherwise it uses the median ratios of groups of three or
+// more rounds. Holm's correction covers all rivals of all contests.
 std::vector<Contest> contests_of(const Result& result);
 
-// Returns a line for each contest with the winner's lead and its certainty, and a last line with the number of
-// processors that were free.
+// Returns a line for each contest, with the lead of the fastest configuration and its certainty, and a last line with
+// the number of processors that were free.
 std::string winners(const Result& result);
 
 }  // namespace mandelmarch::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How bench was built. Generated at configure time. The version is in core/base/version.h.
+// Build type, compiler and flags of bench. CMake writes them into build_info.cpp when the project is configured.
 #pragma once
 
 #include <string>

@@ -88,7 +88,8 @@ Json memory()
     return {{"total_bytes", kibibytes << 10}, {"available_bytes", available_memory()}};
 }
 
-// Follows a library's symbolic links and returns the name of the file itself, which contains the version.
+// Follows a library's symbolic links and returns the name of the file itself, which contains the version; empty if the
+// library is not found.
 std::string resolved(const std::string& library)
 {
     std::error_code none;

@@ -25,7 +25,7 @@ namespace {
 constexpr double much_load = 0.3;     // running threads per core, before the start
 constexpr double much_stolen = 0.01;  // fraction of the processors' time
 constexpr double much_other = 0.05;   // fraction of the processors' time, used by other processes
-constexpr double much_drift = 0.05;   // of the clock frequency
+constexpr double much_drift = 0.05;   // relative change of the clock frequency
 constexpr double much_spread = 0.05;  // median absolute deviation / median
 
 double fastest_clock()
@@ -46,8 +46,8 @@ struct Usage {
     double ticks = 0;
 };
 
-// Parses /proc/PID/stat. The name in parentheses may contain any character. After it, the parent is field 4; user and
-// system time, of the process and of children waited for, are fields 14 to 17 (proc(5)).
+// Parses /proc/PID/stat (proc(5)). Field 2, the name in parentheses, may contain any character. Field 4 is the parent.
+// Fields 14 to 17 are the user and system time of the process, and of the children for which it has waited.
 Usage usage_of(const std::filesystem::path& process)
 {
     std::ifstream file(process / "stat");
@@ -68,8 +68,8 @@ Usage usage_of(const std::filesystem::path& process)
     return usage;
 }
 
-// Returns seconds of user and system time of this process and all its descendants since they started. Ended processes
-// count once their parent has waited for them.
+// Returns the seconds of user and system time that this process and all its descendants have used since they started.
+// An ended process counts as soon as its parent has waited for it.
 double process_tree_seconds()
 {
     std::map<int, Usage> all;
@@ -92,7 +92,7 @@ double process_tree_seconds()
     return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-// Returns a warning about configurations whose samples spread; empty if there are none.
+// Returns a warning if samples of configurations spread too much; empty if they do not.
 std::string spread_of(const Result& result)
 {
     int count = 0;
@@ -109,8 +109,7 @@ std::string spread_of(const Result& result)
                        result.rows.size(), 100 * much_spread, worst.second, 100 * worst.first);
 }
 
-// Returns the numbers of threads of those CPU backends that used their default, "openmp 1, opencl 2"; empty if all are
-// equal.
+// Returns the numbers of threads that CPU backends chose by default, "openmp 1, opencl 2"; empty if all are equal.
 std::string unlike_threads(const Result& result)
 {
     std::vector<std::pair<std::string, int>> known;
@@ -172,7 +171,7 @@ std::vector<std::string> Steadiness::warnings(const Result& result) const
     std::vector<std::string> found;
     const nlohmann::ordered_json now = during();
     const Cores mine = mandelmarch::cores();
-    const double cores = mine.machine;  // all of them, as the load is that of the whole machine
+    const double cores = mine.machine;  // all cores, because the load is that of the whole machine
     if (start_.load > much_load * cores) {
         found.push_back(
             fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));

@@ -11,7 +11,7 @@
 
 namespace mandelmarch::bench {
 
-// Records the machine's state on construction, and compares it with the state at the time of each call.
+// Records the machine's state on construction. Each call compares that state with the current one.
 class Steadiness {
 public:
     Steadiness();
@@ -21,7 +21,7 @@ public:
     //   - processors that were busy with other work, or taken away by a hypervisor or a quota
     //   - backends with unequal numbers of threads, or threads bound to cores
     //   - clock frequencies that changed or may change
-    //   - configurations whose samples spread
+    //   - configurations whose samples vary much
     std::vector<std::string> warnings(const Result& result) const;
 
     // Returns the measured quantities that warnings are based on.
@@ -32,9 +32,9 @@ private:
         double load = 0;        // average number of running threads over the last minute
         double frequency = 0;   // of the fastest core, MHz; 0: unknown
         double stolen = 0;      // seconds since boot that a hypervisor took from all processors together
-        double processors = 0;  // seconds of all processors since boot
-        double others = 0;      // seconds of these that other processes used
-        Throttling throttling;  // by a quota of control groups
+        double processors = 0;  // seconds since boot, summed over all processors
+        double others = 0;      // the part of `processors` that other processes used
+        Throttling throttling;  // throttling by a quota of control groups
     };
     static Snapshot look();
 

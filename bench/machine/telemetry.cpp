@@ -49,8 +49,8 @@ Json or_null(const std::optional<double>& value) { return value ? Json(*value) :
 struct GpuState {
     std::string name;
     std::optional<double> joules;               // since the driver was loaded
-    std::optional<double> watts, celsius;       // now
-    std::optional<double> sm, most_sm, memory;  // clock frequencies, MHz: multiprocessors, their maximum, memory
+    std::optional<double> watts, celsius;       // current values
+    std::optional<double> sm, most_sm, memory;  // MHz: multiprocessors' clock, its maximum, the memory's clock
     std::optional<std::string> throttled;       // reason for a reduced clock frequency, "idle" or "none"
 };
 
@@ -59,7 +59,7 @@ struct GpuStates {
     std::string missing;  // why there are no GPUs; empty if there are some
 };
 
-// Declarations from NVML's API reference, so that its header is not needed to build.
+// Declarations from NVML's API reference. With them, the build does not need NVML's header.
 using GpuHandle = void*;
 constexpr int success = 0;
 constexpr unsigned sm_clock = 1, memory_clock = 2, gpu_temperature = 0;
@@ -141,7 +141,7 @@ GpuStates gpu_states(const std::string& library)
     return found;
 }
 
-// Opens a counter of this event, in user space, for a thread and for all threads and processes that it starts from now
+// Opens a counter of this event, in user space, for `thread` and for all threads and processes that it starts from now
 // on. Returns the counter's descriptor, or a value below 0 on failure.
 int open_counter(std::uint64_t event, int thread)
 {
@@ -165,8 +165,9 @@ Telemetry::Telemetry(TelemetrySources sources) : sources_(std::move(sources)), s
     for (const GpuState& gpu : gpu_states(sources_.nvml).gpus) gpu_joules_.push_back(gpu.joules.value_or(-1));
 }
 
-// Linux' powercap interface (Documentation/power/powercap), for Intel and AMD: one folder per domain. Names with one
-// colon are whole packages (or, on some Intel processors, the whole platform), others are parts of them.
+// Reads Linux' powercap interface (Documentation/power/powercap), for Intel and AMD. It has one folder per domain. If a
+// folder's name has one colon, the domain is a whole package (or, on some Intel processors, the whole platform); if it
+// has more, the domain is a part of a package.
 void Telemetry::look_for_domains()
 {
     std::error_code error;
@@ -238,7 +239,8 @@ Json Telemetry::counters() const
                 std::uint64_t value, enabled, running;
             } told{};
             if (read(descriptor.number(), &told, sizeof(told)) != sizeof(told) || told.running == 0) continue;
-            // With more events than counters, each event is counted during a fraction of the time only: scale up.
+            // If there are more events than hardware counters, an event is counted during a fraction of the time only.
+            // The value is scaled up to the whole time.
             sum +=
                 static_cast<double>(told.value) * static_cast<double>(told.enabled) / static_cast<double>(told.running);
             counted = true;

@@ -11,7 +11,7 @@
 
 namespace mandelmarch::bench {
 
-// Sources of the readings on Linux. Tests use other ones.
+// Sources of the readings on Linux. Tests use other sources.
 struct TelemetrySources {
     std::filesystem::path powercap = "/sys/class/powercap";
     std::string nvml = "libnvidia-ml.so.1";
@@ -25,18 +25,18 @@ public:
 
     // Returns {"energy", "counters", "gpus"}; each is {"missing": why} or
     //   energy: {"seconds", "domains": [{"name", "joules"}]}, from RAPL, for all processors of the machine
-    //   counters: {"cycles", "instructions", ...}, from perf, for the threads of this process and all that they start;
-    //     each may be null
+    //   counters: {"cycles", "instructions", ...}, from perf, for the threads of this process and all threads and
+    //     processes that they start; each may be null
     //   gpus: [{"name", "joules", "watts", "celsius", "sm_megahertz", "most_sm_megahertz", "memory_megahertz",
-    //     "throttled"}], from NVML, for the whole GPU. joules: since construction; all other values are current; null
-    //     if unknown. throttled: reason for a reduced clock frequency, "idle" or "none".
+    //     "throttled"}], from NVML, for the whole GPU. joules: energy since construction; all other values are current.
+    //     An unknown value is null. throttled: reason for a reduced clock frequency, "idle" or "none".
     nlohmann::ordered_json since_start() const;
 
 private:
     struct Domain {
         std::string name;
         std::filesystem::path file;
-        double start = 0, range = 0;  // microjoules; wraps around to 0 after range
+        double start = 0, range = 0;  // microjoules; the reading wraps around to 0 after `range`
     };
     struct Counter {
         std::string name;

@@ -29,7 +29,8 @@ void add(Cells& cells, const std::optional<Interval>& interval)
     cells.push_back(interval ? fmt::format("{}", interval->high) : "");
 }
 
-// Returns false for the verification of a picture that was not rendered: its cells are empty.
+// Returns false if the record's cells must stay empty, because it is the verification of a picture that was not
+// rendered.
 bool has_cells(const Verification& verification) { return verification.drawn; }
 bool has_cells(const auto& /*record*/) { return true; }
 
@@ -63,8 +64,8 @@ void add_fields(Cells& names, Cells& cells, const Record* record, bool timed)
     });
 }
 
-// In a sweep each sweep value is a separate problem. The scalar kernel also has a sweep value, but is another
-// application of the same problem.
+// Returns the name of the configuration's problem. In a sweep each sweep value is a separate problem. The scalar kernel
+// also has a sweep value, but it is another application for the same problem.
 std::string problem_of(const Row& row)
 {
     const bool one_problem = row.sweep_value.empty() || row.application != row.backend;

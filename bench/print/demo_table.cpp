@@ -11,7 +11,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns the different values of a member of the rows, in their order.
+// Returns the distinct values of `member`, in the order in which they first occur in the rows.
 std::vector<std::string> different(const std::vector<Row>& rows, std::string Row::*member)
 {
     std::vector<std::string> values;

@@ -28,7 +28,7 @@ std::unique_ptr<benchmark::BenchmarkReporter> reporter_of(const std::string& for
     throw InputError(fmt::format("--benchmark_format: '{}' given, expected console, json or csv", format));
 }
 
-// Returns a picture as one of Google Benchmark's repetitions. Real time and CPU time are both the kernel time.
+// Returns a sample as one of Google Benchmark's repetitions. Its real time and CPU time are both the kernel time.
 Run run_of(const Row& row, const Sample& sample)
 {
     Run run;
@@ -47,9 +47,9 @@ Run run_of(const Row& row, const Sample& sample)
     return run;
 }
 
-// Returns the medians of a configuration's repetitions, like Google Benchmark's aggregates. The number of iterations is
-// that of the repetitions. The reporters divide times by it, so the median time is multiplied by it; they do not divide
-// counters.
+// Returns the medians of a configuration's repetitions, like Google Benchmark's aggregates. As in Google Benchmark, an
+// aggregate has as many iterations as there are repetitions. The reporters divide times, but not counters, by the
+// number of iterations, so the median time is multiplied by this number.
 Run median_of(const Row& row)
 {
     const Figures& f = *row.figures;

@@ -39,7 +39,8 @@ std::string numbers_of(const Portability& p, const std::vector<std::string>& pla
     return text;
 }
 
-// Returns a line for each application and each platform on which it was not measured, with the missing problems.
+// Returns a line for each application and each platform on which the application was not measured, with the problems
+// that are missing.
 std::string not_measured(const std::vector<Portability>& portabilities)
 {
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> problems;

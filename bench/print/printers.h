@@ -8,28 +8,28 @@
 
 namespace mandelmarch::bench {
 
-// Returns the table of configurations, tables of ratios (speed-ups, Mandelbox / Mandelbulb, double / float), a study's
-// own tables, warnings and the winners, in lines of at most 120 characters. `wide`: the table of configurations has all
-// columns, in lines of any length.
+// Returns the table of configurations, tables of ratios (speed-ups, Mandelbox / Mandelbulb, double / float), the
+// study's own tables, warnings and the winners, in lines of at most 120 characters. `wide`: true for a table of
+// configurations with all columns, in lines of any length.
 std::string to_console(const Result& result, bool wide);
 
 // Returns the tables of the studies profile, box-vs-bulb and ladder; empty for other studies.
 std::string study_tables(const Result& result);
 
-// Returns one line per configuration. The first columns are problem, application, platform and fom (pixels per second
-// of kernel time, higher is better; empty without a speed). The columns application and backend both hold
-// Row::application, so that a pivot by either one compares the same programs. p3-analysis-library needs the CSV of
-// bench/judge/portability.h instead.
+// Returns CSV with one line per configuration. The first columns are problem, application, platform and fom (pixels per
+// second of kernel time, higher is better; empty without a speed). The columns application and backend both hold
+// Row::application, so that a pivot table by either column compares the same programs. p3-analysis-library needs
+// another CSV, to_csv() of bench/judge/portability.h.
 std::string to_csv(const Result& result);
 
-// Returns a name shared by comparable configurations: "mandelbulb double exact 540x540".
+// Returns the name of a problem, which all comparable configurations share: "mandelbulb double exact 540x540".
 std::string problem_name(const std::string& fractal, Precision precision, Mode mode, int width, int height);
 
 // Returns a text as one CSV cell, quoted if necessary.
 std::string csv_cell(const std::string& text);
 
-// Formats a result like Google Benchmark's repetitions: for each configuration all samples, followed by their median.
-// `format`: "console", "json" or "csv"; throws InputError for any other.
+// Formats a result as Google Benchmark formats repetitions: for each configuration all samples, followed by their
+// median. `format`: "console", "json" or "csv"; throws InputError for any other.
 std::string to_google_benchmark(const Result& result, const std::string& format);
 
 }  // namespace mandelmarch::bench

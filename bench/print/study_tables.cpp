@@ -13,7 +13,7 @@ namespace {
 double ratio(std::uint64_t a, std::uint64_t b) { return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b); }
 
 // Returns a timed configuration that does the same work as the counting kernel, but on all pixels; nullptr if there is
-// none. In fast mode the host's packs are excluded, as they take other steps.
+// none. In fast mode the host's packs are excluded, because they take other steps.
 const Row* whole_picture(const Result& result, const Counted& counted)
 {
     const std::string host = result.host();
@@ -49,7 +49,7 @@ std::string errors_of(const Result& result)
         100 * of_iterations, 100 * of_operations, 100 * of_lanes);
 }
 
-// Returns a table of the counted work, which explains why one fractal is slower than the other.
+// Returns a table of the counted work, which explains why one fractal is slower than another.
 std::string counts_table(const Result& result)
 {
     std::string text = fmt::format(
@@ -79,8 +79,8 @@ std::string counts_table(const Result& result)
                       result.counts.empty() ? 0 : result.counts.front().lane_use.front().lanes);
 }
 
-// Returns a table of lane utilisation without and with refill, and of the gain. With refill each lane takes the next
-// pixel as soon as its ray has ended.
+// Returns a table of lane utilisation without and with refill, and of the gain. With refill, a lane takes the next
+// pixel as soon as the lane's ray has ended.
 std::string lanes_table(const Result& result)
 {
     constexpr const char* line = "{:<11} {:<9} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";
@@ -130,11 +130,12 @@ std::string stages_table(const Result& result)
     return text;
 }
 
-// Returns the ladder of each fractal: what each rung gains over the one before, and the last over the first.
+// Returns a table of each fractal's ladder, with the gain of each rung over the rung before it, and of the last rung
+// over the first.
 std::string ladder_table(const Result& result)
 {
     constexpr const char* line = "{:<11} {:<16} {:>9} {:>8} {:<16}\n";
-    const auto gain = [](const Ratio& ratio) {  // of kernel times, earlier / later
+    const auto gain = [](const Ratio& ratio) {  // ratio of kernel times, earlier rung / later rung
         return digits(1 / ratio.ratio.median);
     };
     const auto interval = [](const Ratio& ratio) {

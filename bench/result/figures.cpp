@@ -25,7 +25,7 @@ ValuesByRun times_by_run(const Row& row, Member member)
     return runs;
 }
 
-// Returns true if both configurations run the same kernel on the same scene, with the same number of threads.
+// Returns true if both configurations render the same picture with the same threads, frames and optimisations.
 bool same_text(const Row& a, const Row& b)
 {
     return a.setting.picture() == b.setting.picture() && a.fractal == b.fractal && a.precision == b.precision &&
@@ -40,8 +40,8 @@ Ratio ratio_of(const Row& numerator, const Row& denominator)
     return {numerator.name(), denominator.name(), summary(ratios_by_run(numerator, denominator))};
 }
 
-// Returns the ratios of all pairs of timed configurations with the same mode and sweep value for which
-// other_of(numerator, denominator) is true.
+// Returns the kernel times' ratios of all pairs of timed configurations that have the same mode and sweep value, and
+// for which other_of(numerator, denominator) is true.
 template <class Same>
 std::vector<Ratio> ratios(const Result& result, Same other_of)
 {

@@ -8,7 +8,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns the name of the backend with this role; `otherwise` for older results, which have no roles.
+// Returns the name of the backend with this role; `otherwise` if none has it, as in older results, which have no roles.
 std::string backend_with(const nlohmann::ordered_json& environment, Role role, const char* otherwise)
 {
     const auto backends = environment.find("backends");

@@ -17,8 +17,9 @@ inline constexpr const char* result_schema = "mandelmarch-bench";
 inline constexpr int schema_version = 2;
 // The study that compares backends and includes the baselines.
 inline constexpr std::string_view standard_study = "standard";
-inline constexpr std::string_view demo_study = "demo";  // a short one, with the same baselines
-// Each configuration of a fractal differs from the one before in one thing, and is compared with it.
+inline constexpr std::string_view demo_study = "demo";  // a short study, with the same baselines
+// The study in which each configuration of a fractal changes one thing in the configuration before it, and is compared
+// with that configuration.
 inline constexpr std::string_view ladder_study = "ladder";
 
 // Times of one picture in the timed rounds, in seconds.
@@ -42,7 +43,7 @@ struct Picture {
 
 // Parameters of a configuration besides fractal, precision, mode, backend and device.
 struct Setting : Picture {
-    int threads = 0, simd_width = 0, chunk = 0, band = 0, block_size = 0;  // as in RendererOptions; 0: automatic
+    int threads = 0, simd_width = 0, chunk = 0, band = 0, block_size = 0;  // see RendererOptions; 0: automatic
     std::string without;  // disabled optimisations, as in `render --without`
     int frames = 0;       // pictures per sample, from a fresh renderer; 0: one picture, from a warm renderer
     bool operator==(const Setting&) const = default;
@@ -56,7 +57,7 @@ struct Verification {
     bool passed = false;
     bool is_expected = false;  // the configuration renders the expected picture itself
     std::string level;         // name_of(Level); "expected picture" for the expected picture itself
-    std::string text;          // for the table: "same bits", "3 ULP", "0.193 % off"
+    std::string text;          // the result, for the table: "same bits", "3 ULP", "0.193 % off"
     std::string against;       // name of the expected picture
     std::uint64_t pixels = 0, differing = 0, visibly_differing = 0;
     double max_ulps = 0;  // infinite if a value is not a number
@@ -68,14 +69,14 @@ struct Figures {
     Summary kernel, wall;                       // seconds
     double upload = 0, readback = 0, host = 0;  // seconds, medians
     // Fraction of the wall time that upload, host and readback leave unaccounted for; median over the samples. Absent
-    // if a sample consists of several pictures from a fresh renderer, as its wall time then has further parts.
+    // if a sample consists of several pictures from a fresh renderer, because its wall time then has further parts.
     std::optional<double> unaccounted;
     double pixel_rate = 0;                         // pixels per second of kernel time
-    double estimate_rate = 0, iteration_rate = 0;  // per second of kernel time
-    std::optional<double> operation_rate;          // operations per second, from the counted work
-    std::optional<double> peak;                    // operations per second, of the platform in this precision
+    double estimate_rate = 0, iteration_rate = 0;  // DE evaluations and DE iterations per second of kernel time
+    std::optional<double> operation_rate;          // counted operations per second of kernel time
+    std::optional<double> peak;                    // the platform's peak in this precision, operations per second
     std::optional<double> share;                   // operation_rate / peak
-    std::optional<double> share_error;             // standard error of `share` that the sampled operation count causes
+    std::optional<double> share_error;             // standard error of `share` from sampling the operation count
     std::optional<double> bound;                   // seconds that the counted operations take at the peak
     // Wall time of the reference, in double and exact mode, for the same picture / this configuration's wall time. For
     // the reference itself: 1, without an interval.
@@ -86,7 +87,7 @@ struct Figures {
 };
 
 struct Row {
-    std::string fractal;  // name; "all" in the one row of a backend without a device
+    std::string fractal;  // name; "all" in the only row of a backend without a device
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
     std::string backend;
@@ -94,25 +95,25 @@ struct Row {
     std::string sweep_value;  // "threads=2"; empty in the standard study
     Setting setting;
 
-    std::string unavailable;  // why it cannot be measured; else empty
-    std::string failure;      // what went wrong; else empty
+    std::string unavailable;  // the reason why the configuration cannot be measured; else empty
+    std::string failure;      // a description of the failure; else empty
     std::string device_name, vendor, driver, instruction_set;
     std::string platform;  // the GPU's name, or Cpu::platform() for every device that runs on the CPU
     bool is_gpu = false;
-    int threads = 0, simd_width = 0;  // actually used
+    int threads = 0, simd_width = 0;  // the numbers that were used
     Verification verification;
     double context = 0, build = 0;  // seconds, of the first picture
     // Results of the trial before the verified picture (see RenderStats); both 0 if there was no trial.
     double step_factor = 0, unsettled = 0;
     Work work;              // of one picture
     double operations = 0;  // of one picture, from the counting kernel; 0: unknown
-    // Standard error of `operations`, which are counted on a sample of the pixels; unknown in results of older builds.
+    // Standard error of `operations`, which are counted on a sample of the pixels; nullopt in results of older builds.
     std::optional<double> operations_error;
     std::vector<Sample> samples;
-    // Set by derived(). The name under which a configuration is compared: the name of its backend. The studies standard
-    // and demo contain both the packs of openmp and its scalar kernel, which is called "openmp-scalar" there.
+    // Name under which the configuration is compared; set by derived(). It is the name of the backend, but
+    // "openmp-scalar" for the scalar kernel in the studies standard and demo, which also contain openmp's packs.
     std::string application;
-    std::optional<Figures> figures;  // nullopt without a speed
+    std::optional<Figures> figures;  // set by derived(); nullopt without a speed
 
     // Returns "mandelbulb/double/exact/openmp/0", followed by "/threads=2" in a sweep; "vulkan" for a backend without a
     // device.
@@ -136,7 +137,7 @@ struct Peak {
 // Merges `from` into `to`: adds the peaks that `to` does not have, and raises the others to the higher rate.
 void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from);
 
-// Operation counts of the kernel, for one fractal, precision, mode and setting.
+// Counted operations of the kernel, for one fractal, precision, mode and setting.
 struct Counted : Count {
     std::string fractal;
     Precision precision = Precision::f64;
@@ -144,7 +145,7 @@ struct Counted : Count {
     Setting setting;
 };
 
-// Name of the entry for a picture that is rendered without interruption between the stages.
+// Value of StageTime::stage for a whole picture, rendered without interruption between the stages.
 inline constexpr const char* in_one_go = "one go";
 
 // Time of one stage of a picture, in the study profile.
@@ -159,16 +160,16 @@ struct StageTime {
 // Ratio of two configurations' kernel times, paired by run and round to cancel disturbances of a whole round.
 struct Ratio {
     std::string numerator, denominator;  // names of the configurations
-    Summary ratio;                       // of the pairs' ratios, by run; count 0 without a common round
+    Summary ratio;                       // summary of the pairs' ratios; its count is 0 if there is no pair
 };
 
-// The ratios that answer the questions of a study, of all pairs of configurations that were timed.
+// The ratios that answer the questions of a study. Each vector has all pairs of configurations that were timed.
 struct Questions {
     std::vector<Ratio> box_to_bulb;        // Mandelbox / Mandelbulb, on the same device
-    std::vector<Ratio> double_to_float;    // on the same device
-    std::vector<Ratio> others_to_host;     // each other backend / the host's; the reference is left out
-    std::vector<Ratio> to_first_value;     // sweeps and the ladder: each later value / the first value
-    std::vector<Ratio> to_previous_value;  // same studies: each value / the last before it with its aspect ratio
+    std::vector<Ratio> double_to_float;    // double / float, on the same device
+    std::vector<Ratio> others_to_host;     // each other backend except the reference / the host's backend
+    std::vector<Ratio> to_first_value;     // sweeps, ladder: each later value / the first value
+    std::vector<Ratio> to_previous_value;  // sweeps, ladder: each value / the last earlier one of the same aspect ratio
 };
 
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON does not throw, which the check cannot see

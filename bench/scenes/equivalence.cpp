@@ -21,7 +21,7 @@ namespace {
 constexpr Precision precisions[] = {Precision::f32, Precision::f64};
 constexpr int widest_pack = 64;
 constexpr double few_pixels = 12;
-constexpr double most_iterations = 2e6;  // per scene, approximately: less than a tenth of a second on one core
+constexpr double most_iterations = 2e6;  // approximate DE iterations per scene: less than 0.1 s on one core
 
 struct Drawn {
     Image image;
@@ -51,7 +51,8 @@ std::string difference(const Drawn& expected, const Drawn& got)
                        right);
 }
 
-// A tested configuration with its renderer, which is reused from scene to scene and created again after an error.
+// A tested configuration and its renderer. The renderer is reused from scene to scene; after an error, it is created
+// again.
 class TestedBackend {
 public:
     TestedBackend(const Backend& backend, Tested& subject) : backend_(backend), subject_(subject) {}
@@ -141,7 +142,7 @@ Scene scaled(Scene scene, double factor)
 }
 
 // Returns the scene, with fewer pixels if it would be too much work, and with fewer iterations if even one pixel would
-// be too much. The work is measured by rendering with `packs`, which are fast: first a few pixels, then more.
+// be too much work. To measure the work, renders first a few pixels, then more, with `packs`, which are fast.
 Scene affordable(std::span<const std::unique_ptr<Renderer>> packs, const Scene& scene)
 {
     const auto pixels = [](const Scene& s) { return static_cast<double>(s.width) * s.height; };
@@ -197,7 +198,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
         packs.push_back(right.create({.precision = precision}));
         scalar.push_back(right.create({.precision = precision, .simd_width = 1}));
     }
-    // All scenes of a fractal are rendered before those of the next one, as devices compile a kernel for each fractal.
+    // All scenes of a fractal are rendered before those of the next one, because devices compile a kernel per fractal.
     int done = 0;
     for (std::size_t i = 0; i < of.size(); ++i) {
         const auto count = static_cast<int>(of.size());

@@ -14,7 +14,7 @@ namespace mandelmarch::bench {
 struct EquivalenceOptions {
     std::vector<std::string> backends{};     // names; empty: all
     std::vector<const Fractal*> fractals{};  // empty: all
-    int scenes = 1000;                       // sum over all fractals
+    int scenes = 1000;                       // number of scenes of all fractals together
     unsigned seed = 1;                       // see core/scene/extreme_scene.h
 };
 
@@ -23,10 +23,10 @@ struct Tested {
     std::string backend;
     RendererOptions options;
     std::string device;     // name
-    int pictures = 0;       // drawn
+    int pictures = 0;       // rendered pictures
     int unavailable = 0;    // scenes that the configuration does not support
     int wrong = 0;          // pictures whose bits or work counts differ, or that failed with an error
-    std::string refusal{};  // why the first unsupported scene is not supported
+    std::string refusal{};  // the reason why the first unsupported scene is not supported
 
     std::string name() const;  // "vulkan, device 0, in float"
 };
@@ -35,7 +35,7 @@ struct Tested {
 // rendered.
 struct Discrepancy {
     std::string scene;       // "box-1-17": fractal, seed, index
-    std::string parameters;  // contents of its parameter file
+    std::string parameters;  // contents of the scene's parameter file
     std::string subject;     // Tested::name()
     std::string what;        // the first differing pixel with both values, the work counts, or the error
 };

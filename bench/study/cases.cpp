@@ -15,7 +15,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns an axis over the elements of a list. It adds nothing to the sweep value.
+// Returns an axis with one point for each element of a list. The axis adds nothing to the sweep value.
 template <class List, class Set>
 Axis over(const List& list, Set set)
 {
@@ -44,8 +44,9 @@ std::vector<Case> crossed(const std::vector<Axis>& axes)
     return cases;
 }
 
-// The host also gets the scalar kernel as a baseline: a speed-up over it cannot come from another program or from more
-// threads.
+// Returns the points of the axis simd-width: the backend's default and, for the host, also the scalar kernel, a
+// baseline. It runs the same kernel source on the same threads. Therefore the host's speed-up over it does not come
+// from another program or from more threads.
 std::vector<Point> kernels(const Case& one)
 {
     std::vector<Point> points{{"", [](Case&) {}}};
@@ -108,7 +109,7 @@ void realise(Case& one, std::pair<int, int> size)
                    .techniques = techniques_without(setting.without)};
 }
 
-// Returns the only configuration of a backend without a device, with the reason.
+// Returns the only configuration of a backend without a device. It holds the reason why there is no device.
 Case missing(const Backend& backend, Listing listing)
 {
     Case made;
@@ -119,7 +120,7 @@ Case missing(const Backend& backend, Listing listing)
     return made;
 }
 
-// Returns a function that returns true for the names that the filter selects. The filter has Google Benchmark's syntax.
+// Returns a function that tests whether the filter selects a name. The filter has Google Benchmark's syntax.
 std::function<bool(const std::string& name)> selection(const std::string& filter)
 {
     if (filter.empty() || filter == "all") return [](const std::string&) { return true; };
@@ -149,7 +150,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     std::vector<Case> without_device;
     for (const auto& backend : registry.backends()) {
         const BackendInfo info = backend->info();
-        // Include the baselines even if --backend does not name them, as speed-ups are computed from them.
+        // Include the baselines even if --backend does not name them, because speed-ups are computed from them.
         const bool baseline = baselines && (info.role == Role::reference || info.role == Role::host);
         if ((!asked(*backend) && !baseline) || !study.measures(info)) continue;
         Listing listing = listing_of(*backend);
@@ -188,8 +189,8 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     });
     for (Case& one : cases) realise(one, options.picture_size());
     cases.insert(cases.end(), without_device.begin(), without_device.end());
-    // Sort into the order of the table: all backends for one picture together, or all rungs of a fractal's ladder, and
-    // unavailable backends at the end.
+    // Sort the configurations in the order of the table: all backends for one picture together, or all rungs of a
+    // fractal's ladder together; backends without a device at the end.
     std::ranges::stable_sort(cases, {}, [&](const Case& one) {
         const auto fractal = one.backend == nullptr ? fractals().data() + fractals().size() : one.scene.fractal;
         const auto index = fractal - fractals().data();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options that choose what bench measures. The command-line options that add_selection() declares parse their
-// values once and store the results here.
+// Options that choose what bench measures.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,17 +20,17 @@ struct Options {
     std::vector<std::string> backends;  // names; empty: all
     std::vector<const Fractal*> fractals = default_fractals();
     std::vector<Precision> precisions{Precision::f64, Precision::f32};
-    std::vector<Mode> modes;                  // empty: those of the study
-    std::optional<std::pair<int, int>> size;  // pixels; nullopt: that of the study
+    std::vector<Mode> modes;                  // empty: the modes of the study
+    std::optional<std::pair<int, int>> size;  // pixels; nullopt: the size of the study
     std::string filter;  // regular expression searched in names; a leading - inverts it (as in Google Benchmark)
 
-    std::optional<int> repetitions;  // exact number of rounds; nullopt: the stop rule decides
+    std::optional<int> repetitions;  // exact number of rounds; nullopt: as many as needed (bench/harness/runner.h)
     int runs = 1;                    // number of runs
     int run = 0;                     // index of this run, from 0
     std::uint64_t seed = 1;          // for the order of configurations in each round
-    std::optional<double> budget;    // seconds for the timed rounds
-    bool peaks = true;               // measure peak rates, of which results give the achieved share
-    bool baselines = true;           // false, for a duel: leave out the baselines that the study would add
+    std::optional<double> budget;    // seconds for the timed rounds; nullopt: automatic (bench/harness/session.cpp)
+    bool peaks = true;               // measure peak rates; results give the share of the peak that is achieved
+    bool baselines = true;           // false: leave out the baselines that the study would add, as in a duel
 
     bool selects(std::string_view backend) const;
     const std::vector<Mode>& selected_modes() const { return modes.empty() ? study->modes : modes; }
@@ -44,7 +43,7 @@ std::vector<std::string> parse_backends(const Registry& registry, std::string_vi
 // Parses a fractal's name. Returns that fractal, or `all` for the text "all".
 std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all);
 
-// Declares --backend, --fractal, --precision, --mode, --size, --study and --filter.
+// Declares --backend, --fractal, --precision, --mode, --size, --study and --filter, which set members of `options`.
 void add_selection(CLI::App& app, const Registry& registry, Options& options);
 
 // Returns the arguments with which another build of bench selects the same configurations.

@@ -17,7 +17,7 @@ namespace {
 
 using Points = std::vector<Point>;
 
-// Returns the points of a setting's values.
+// Returns a value of Axis::points: a function that returns one point for each of the values of a setting.
 template <class Value, class Owner>
 auto each(Value Owner::*member, std::vector<std::type_identity_t<Value>> values)
 {
@@ -74,21 +74,20 @@ Points scenes(const Case& so_far)
     return points;
 }
 
-// The profiled stages are those of openmp (profile.h).
+// Returns true for the host's backend. Only its stages can be profiled (bench/harness/profile.h).
 bool is_host(const BackendInfo& info) { return info.role == Role::host; }
 
 const std::vector<Mode> both_modes{Mode::exact, Mode::fast};
 
 bool any_backend(const BackendInfo&) { return true; }
 
-// The demonstration has one device of each backend. The reference renders in double only.
+// Returns true for the configurations of the study demo: one device of each backend, and the reference in double only.
 bool in_demo(const Case& one)
 {
     return one.row.device == 0 && (is_swept(one.backend->info()) || one.row.precision == Precision::f64);
 }
 
-// A rung of the ladder from the serial reference to the fastest picture. The techniques reduce the number of DE
-// evaluations.
+// A rung of the ladder from the serial reference to the fastest picture.
 struct Rung {
     std::string_view name;
     Role role;
@@ -97,6 +96,7 @@ struct Rung {
     int threads, simd_width;  // 0: automatic
     std::string_view without;
 };
+// Optimisations that reduce the number of DE evaluations.
 constexpr std::string_view techniques = "hull,relaxation,cones,neighbours,trial,tail";
 constexpr Rung rungs[] = {
     {"reference", Role::reference, Precision::f64, Mode::exact, 0, 0, ""},
@@ -192,7 +192,7 @@ std::vector<Study> all_studies()
          .modes = both_modes,
          .counts = false,
          .peaks = false,
-         .row_budget = 30},  // the reference needs seconds for a picture
+         .row_budget = 30},  // the reference needs seconds for one picture
         {.name = demo_study,
          .about = "the standard study, in a minute: one device per backend, few rounds; bin/demo",
          .measures = any_backend,

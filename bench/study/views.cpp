@@ -8,10 +8,10 @@
 namespace mandelmarch::bench {
 namespace {
 
-// The close-ups were selected by hand among the views with the most iterations (fast mode, 270 x 270) of random cameras
-// close to the surface, 600 for the Mandelbox and 300 for the Mandelbulb: the Mandelbox's pictures in float and double
-// agree, and the Mandelbulb's camera is away from the poles. Not every place is suitable: docs/fast-mode.md, "What fast
-// mode misses".
+// The close-ups come from random cameras close to the surface, 600 for the Mandelbox and 300 for the Mandelbulb. Among
+// the views with the most iterations (fast mode, 270 x 270), one was selected by hand. Not every view is suitable
+// (docs/fast-mode.md, "What fast mode misses"). In the selected ones, the Mandelbox's pictures in float and double
+// agree, and the Mandelbulb's camera is away from the poles.
 constexpr std::array box_iterations{4, 8, 12, 18, 30, 60};
 constexpr FractalStudy entries[] = {
     {.fractal = "mandelbox",

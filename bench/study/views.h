@@ -13,18 +13,18 @@
 
 namespace mandelmarch::bench {
 
-// The studies' own parameters of a fractal. Fractals without an entry in views.cpp have the defaults.
+// Parameters of the studies for one fractal. Fractals without an entry in views.cpp have the defaults.
 struct FractalStudy {
     static constexpr std::array usual_iterations{2, 4, 8, 16, 32, 64, 100};
 
     std::string_view fractal = "";                       // name
-    std::span<const int> iterations = usual_iterations;  // numbers of iterations that a study compares
-    // A view that is filled by the surface, for the study box-vs-bulb.
+    std::span<const int> iterations = usual_iterations;  // limits that the study `iterations` compares
+    // A view that the surface fills, for the study box-vs-bulb.
     struct CloseUp {
         Vector eye, target, up;
     };
     std::optional<CloseUp> close_up{};
-    // Another scene of that study: the official one, with `added` added to its shape.
+    // Another scene of the study box-vs-bulb: the official scene, with `added` added to its shape.
     struct Variant {
         std::string_view name;
         std::array<double, 3> added;
@@ -34,10 +34,12 @@ struct FractalStudy {
 
 const FractalStudy& study_of(const Fractal& fractal);
 
-// Returns the fractals that bench measures by default: those with an entry, or all if this build has none of them.
+// Returns the fractals that bench measures by default: those with an entry in views.cpp, or all fractals if this build
+// has none of them.
 std::vector<const Fractal*> default_fractals();
 
-// A scene of the study box-vs-bulb. All fractals have views of the same names, "official" among them.
+// A scene of the study box-vs-bulb. Every fractal has the views "official", "near", "far" and "coarse". A fractal with
+// a close-up also has the view "close". A fractal with a Variant also has a view with the Variant's name.
 struct View {
     std::string_view name;
     Scene scene;
