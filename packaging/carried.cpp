@@ -48,8 +48,8 @@ std::string contents(const fs::path& path)
 }
 
 // Returns a folder of links to `files`, or an empty path on failure. OpenCL's loader reads only one folder, and the
-// bundle's may be read-only. The new folder must belong to the user alone: in a shared one, others could replace the
-// links.
+// bundle's folder may be read-only. The new folder must belong to the user alone: in a shared folder, others could
+// replace the links.
 fs::path folder_of_links(const std::vector<fs::path>& files)
 {
     std::error_code error;
@@ -67,7 +67,7 @@ fs::path folder_of_links(const std::vector<fs::path>& files)
     for (const fs::path& file : files) {
         const fs::path link = folder / file.filename();
         if (fs::read_symlink(link, error) == file) continue;
-        // Renames a new link, because another program may be reading the folder.
+        // Makes a new link and renames it over the old one, because another program may be reading the folder.
         const fs::path fresh = folder / (file.filename().string() + "." + std::to_string(getpid()));
         fs::create_symlink(file, fresh, error);
         fs::rename(fresh, link, error);
