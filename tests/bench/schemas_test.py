@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""schemas_test.py BIN SOURCE [FILE...]: every JSON file below SOURCE/report/results, files written by the programs, and
-the given ones follow the schema of their kind. Every schema rejects a file with a missing or an additional key, or with a
-value of another type.
-`bench schema` prints the stored schemas of its kinds."""
+"""schemas_test.py BIN SOURCE [FILE...]: the JSON files below SOURCE/report/results, the files that the programs write,
+and each FILE follow the schema of their kind. Every schema rejects a file with a missing key, with an additional key,
+or with a value of another type. `bench schema KIND` prints the stored schema."""
 import json
 import os
 import pathlib
@@ -34,7 +33,7 @@ GENERATED = ("duel", "equivalence", "portability", "race", "random", "result")
 
 
 def kind_of(data):
-    """Returns the schema's name, determined from the file's content."""
+    """Returns the name of the schema for a file with the content `data`."""
     if isinstance(data, list):
         return "portability"
     if "format" in data:

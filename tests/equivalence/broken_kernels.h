@@ -6,7 +6,7 @@
 
 namespace mandelmarch::skeleton {
 
-// Returns the broken kernel of a variant, "wrong_fold_PRECISION" or "contracted_PRECISION".
+// wrong_fold() and contracted() return a broken kernel. `variant`: "wrong_fold_PRECISION" or "contracted_PRECISION".
 template <class Real>
 DrawBand<Real>* wrong_fold(std::string_view variant);
 template <class Real>

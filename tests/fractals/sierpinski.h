@@ -30,8 +30,8 @@ FN vec3 sierpinski_next(Scene scene, vec3 f)
 // Returns |z|^2, but at least 1e-30.
 FN real sierpinski_r2(vec3 z) { return larger(dot3(z, z), R(1.0e-30)); }
 
-// Returns the part of a ray that can meet the surface: the part in a sphere. Its radius is computed, with a proof, in
-// the descriptor (sierpinski.cpp).
+// Returns the part of a ray that can meet the surface, which is the part inside a sphere. hull() in the descriptor
+// (sierpinski.cpp) computes the sphere's radius, with a proof.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
@@ -53,8 +53,8 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// Returns the gradient of the estimate, multiplied by a positive factor. Differentiates forward along the three axes,
-// whose directions are changed by the mirrors only.
+// Returns the gradient of the estimate, multiplied by a positive factor. Differentiates forward along the three axes.
+// Only the mirrors change the directions of these axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;

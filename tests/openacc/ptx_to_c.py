@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ptx_to_c.py gcc|nvcc PROGRAM: translates to C the PTX that gcc or nvcc has put into a built program, so that the PTX
-itself can run on a machine without a GPU, one thread after the other. Knows only the instructions of this project's
-kernels; others are errors."""
+"""ptx_to_c.py gcc|nvcc PROGRAM: translates to C the PTX that gcc or nvcc has put into a built program. The C runs the
+PTX on a machine without a GPU, one thread after the other. Supports only the instructions of this project's kernels;
+any other instruction is an error."""
 import os
 import re
 import sys
@@ -158,7 +158,7 @@ class Kernel:
 
 
 def translate(kernels):
-    """Returns a C source with every kernel and a table that finds them by name."""
+    """Returns a C source with all kernels and a table of the kernels by name."""
     parsed = [Kernel(name, body) for name, body in kernels]
     table = "".join(f'{{"{kernel.name}", {kernel.c_name()}}},\n' for kernel in parsed)
     return (HEADER + "\n".join(kernel.c_text() for kernel in parsed) +
