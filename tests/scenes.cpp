@@ -63,7 +63,7 @@ public:
         add("julia, hundreds of iterations", julia).iterations = 300;
     }
 
-    // Adds a scene with the options that films use, rendered as a part of a 1920 x 1080 picture.
+    // Adds a scene with the options that films use. Its picture is a part of one of 1920 x 1080 pixels.
     void add_film(std::string name, const Scene& of)
     {
         Scene& scene = add(std::move(name), of);
