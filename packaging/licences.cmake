@@ -64,7 +64,7 @@ function(write_licences)
         file(SIZE ${BUNDLE}/${name} bytes)
         row(${name} ${bytes} ${package} ${version} share/licences/${package})
     endforeach()
-    # Header-only libraries, which are compiled into the programs.
+    # Also lists the header-only libraries, because they are compiled into the programs.
     foreach(header CLI/CLI.hpp nlohmann/json.hpp boost/version.hpp vulkan/vulkan_raii.hpp CL/opencl.hpp)
         if(EXISTS /usr/include/${header})
             package_of(package /usr/include/${header})

@@ -37,8 +37,8 @@ expect() {
 }
 listed_files() { find . -type f ! -name stderr ! -name stdout -printf '%p %s %T@\n' | sort; }
 
-# says PATTERN, prints PATTERN, silent: expect that the last command's stderr matches, that its stdout matches, that its
-# stderr is empty.
+# says PATTERN: expects that the last command's stderr matches PATTERN. prints PATTERN: expects that its stdout matches.
+# silent: expects that its stderr is empty.
 says() { grep -Eq -- "$1" stderr || fail "stderr does not say '$1': $(head -c 500 stderr)"; }
 prints() { grep -Eq -- "$1" stdout || fail "stdout does not have '$1': $(head -c 500 stdout)"; }
 silent() { [ ! -s stderr ] || fail "something on stderr: $(head -c 500 stderr)"; }

@@ -129,8 +129,8 @@ def cycles(instructions, cycles_of_pipe):
     return max(sum(one.issue for one in instructions), *busy.values(), 0)
 
 
-# The code of a march. round_: of an iteration of the estimator's loop. step_: of the rest of a step of the march.
-# refills: true if lanes take new rays before the last ray of their warp has ended.
+# Cycles and instructions of a march. The fields round_* are for an iteration of the estimator's loop, and step_* for
+# the rest of a step of the march. refills: true if lanes take new rays before the last ray of their warp has ended.
 March = namedtuple("March", "round_cycles step_cycles round_instructions step_instructions refills")
 LEAST_ARITHMETIC = 0.2  # fraction of a loop's instructions that must be arithmetic
 ARITHMETIC = re.compile(r"[FD](ADD|MUL|FMA)$|(add|sub|mul|fma|div|sqrt)\..*f(32|64)$")

@@ -88,7 +88,7 @@ class Bench:
     name: str
     path: Path
     data: dict[str, Any]
-    number: int = 0  # of its machine, from 1, if several machines share a name
+    number: int = 0  # number of its machine, from 1; 0 if no other machine has this machine's name
 
     @property
     def study(self) -> str:

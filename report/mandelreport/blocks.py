@@ -26,7 +26,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Table:
-    """`numbers`: the right-aligned columns."""
+    """`numbers`: the indices of the columns that are right-aligned."""
 
     headers: Sequence[str]
     rows: Sequence[Sequence[str]]

@@ -67,8 +67,8 @@ class Checker:
         self.browser.size(*DESKTOP)
 
     def paper(self) -> None:
-        """Checks that nothing overflows on paper, because the browser would shrink all pages, and that the main part is
-        short."""
+        """Checks that nothing overflows on paper, and that the main part is short. If anything overflows, the browser
+        shrinks all pages."""
         run, call = self.browser.run, self.browser.call
         call("Emulation.setEmulatedMedia", media="print")
         self.browser.size(PAPER, 1000)
@@ -98,7 +98,7 @@ class Checker:
         self.expect(" differ" in said or "same bytes" in said, f"the slider's difference: {said}")
         run("document.querySelector('.compare').scrollIntoView()")
         self.shot("slider")
-        # Chooses on the right the picture that is on the left.
+        # Selects for the right side the picture that is on the left side.
         run("""(() => { const right = document.querySelector('.compare [data-side=right]');
                         right.selectedIndex = 0; right.dispatchEvent(new Event('change')); })()""")
         same = self.browser.wait("document.querySelector('.compare .said').textContent === 'The same bytes.'", 30)

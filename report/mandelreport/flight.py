@@ -34,7 +34,7 @@ class FlightMap:
 
     @property
     def seconds(self) -> list[float]:
-        """Returns the time of each frame from the flight's begin."""
+        """Returns the time of each frame, from the start of the flight."""
         return [i / self.data["frames_per_second"] for i in range(len(self.data["x"]))]
 
 

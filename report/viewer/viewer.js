@@ -46,7 +46,7 @@ const Viewer = (() => {
             const took = performance.now() - one;
             tile.x += 4 * side;
             if (tile.x >= canvas.width) {
-                // Begins the next row of tiles. Only here the tiles' height changes.
+                // Begins the next row of tiles. The tiles' height changes only here.
                 tile = tile.y + side >= canvas.height ? null : { x: 0, y: tile.y + side, height: tileSide };
             }
             tileSide = took > TILE_MS ? Math.max(8, tileSide >> 1) : took < TILE_MS / 4 ? Math.min(128, tileSide << 1) : tileSide;
@@ -135,7 +135,7 @@ const Viewer = (() => {
             label.append(name, slider, value);
             Object.assign(slider, { type: "range", min: low_, max: high, step: by, value: read() });
             slider.dataset.parameter = key;
-            value.textContent = Number(read().toPrecision(6));  // digits of a float
+            value.textContent = Number(read().toPrecision(6));  // about as many digits as a float has
             slider.addEventListener("input", () => {
                 const number = Number(slider.value);
                 if (at !== undefined) scene[field][at] = number;

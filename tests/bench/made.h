@@ -11,7 +11,8 @@
 
 namespace mandelmarch::bench {
 
-// Returns a row with these samples, in this order. Each run has `each` of them, and the last run may have fewer.
+// Returns a row with samples of these kernel times, in this order. Each run has `each` samples, but the last run may
+// have fewer.
 inline Row made_row(const std::string& backend, const std::vector<double>& seconds, int each = 1000)
 {
     Row row;

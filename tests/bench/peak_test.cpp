@@ -14,7 +14,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double seconds_per_round = 1e-7;
-constexpr double start_seconds = 1e-5;  // passes before the rounds of each kernel run
+constexpr double start_seconds = 1e-5;  // time of a kernel run before its rounds begin
 constexpr double lanes = 16;
 constexpr double true_rate = peak_operations_per_round * lanes / seconds_per_round;
 

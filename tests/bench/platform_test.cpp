@@ -183,7 +183,7 @@ TEST(Platform, CompareSaysWhereEnvironmentsDiffer)
               (std::vector<std::string>{"revision: a in the old result, b in the new",
                                         "compiler flags: -O3 in the old result, -O2 in the new",
                                         "driver of opencl 0: PoCL 3 in the old result, PoCL 4 in the new"}));
-    // A fact that an old file lacks is called unknown. So is a fact in whose place the file has other JSON.
+    // A fact is called unknown if the old file lacks it or has JSON of another form in its place.
     EXPECT_EQ(differences_of({{"git", "none"}, {"backends", 5}}, {{"git", {{"revision", "b"}}}}),
               (std::vector<std::string>{"revision: unknown in the old result, b in the new"}));
 }

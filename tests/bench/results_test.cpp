@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Result files: values that are read or rejected, derived quantities, and output in Google Benchmark's formats.
+// Tests of result files: values that are read or rejected, derived quantities, and output in Google Benchmark's
+// formats.
 #include <gtest/gtest.h>
 
 #include <algorithm>

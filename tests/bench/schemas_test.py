@@ -64,7 +64,7 @@ def check_twins(kind, data):
 
     for key in whole:
         without = {other: value for other, value in whole.items() if other != key}
-        assert refused(without) or key == "winners", f"{kind} without {key}"  # results of older builds have none
+        assert refused(without) or key == "winners", f"{kind} without {key}"  # results of older builds have no winners
         assert refused(whole | {key: [None]}), f"{kind} with a list as {key}"
     assert refused(whole | {"nosuch": 1}), f"{kind} with a key too many"
 
@@ -107,6 +107,6 @@ with tempfile.TemporaryDirectory() as folder:
         seen[check(path, data)] = data
 for kind, data in seen.items():
     check_twins(kind, data)
-unseen = set(SCHEMAS) - set(seen) - {"environment"}  # a part of other files
+unseen = set(SCHEMAS) - set(seen) - {"environment"}  # an environment is only a part of other files
 assert not unseen, f"no file for the schemas of {unseen}"
 print("fine:", ", ".join(sorted(seen)))

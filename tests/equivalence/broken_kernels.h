@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The skeleton's kernel with a wrong fold, and with contraction enabled.
+// Two broken versions of the skeleton's kernel: one has a wrong fold, the other is compiled with contraction.
 #pragma once
 
 #include "backends/skeleton/kernel.h"

@@ -133,7 +133,7 @@ is path 3 't["path"]["at"] > 30' True
 "$bin/flythrough" render path-001.json --stills stills --every 30 --size 64x36 >/dev/null 2>stills.err &&
     [ "$(ls stills/*.png | wc -l)" -gt 2 ] || fail "path: no stills: $(cat stills.err)"
 
-# Renders on one backend after the other, on each that has a device. Then renders in four panes.
+# Renders on each backend that has a device, one after the other. Then renders in four panes.
 {
     printf 'rest\ntasks\n'
     "$bin/render" --list-devices | grep -v 'unavailable\|FAILED' | while read -r _; do printf 'key F4\nrest\ntell\n'; done

@@ -44,7 +44,8 @@ TEST(Schedule, GoesFromValueToValueWithoutJumpsInItsRate)
     const Schedule back = scale("1s=2,5s=2.4,8s=2");
     for (const auto& [frame, value] : {std::pair{0.0, 2.0}, {30.0, 2.0}, {150.0, 2.4}, {240.0, 2.0}, {299.0, 2.0}})
         EXPECT_NEAR(back.value(frame), value, 1e-6) << frame;
-    // The largest rate is in the change by 0.4 in 90 frames; it is 1.5 times the mean rate of this change.
+    // The value changes fastest where it changes by 0.4 in 90 frames. There the largest rate is 1.5 times the mean
+    // rate.
     const double rate = 1.5 * 0.4 / 90;
     EXPECT_LT(rate_jump([&](int f) { return back.value(f); }), 0.05 * rate);
     // Negative control: with linear interpolation the rate jumps.
@@ -140,8 +141,8 @@ TEST(ChangingAudit, FindsOutAShapeThatJumps)
 }
 
 // The fractal changes its shape between two frames, and its wall sweeps over the camera. At both frames the camera is
-// outside the solid, but between them it is inside. The audit must detect this. The negative control are places that
-// stay outside.
+// outside the solid, but between them it is inside. The audit must detect this. Negative control: at places that stay
+// outside, it must not.
 TEST(ChangingAudit, FindsOutAWallThatSweepsOverTheCamera)
 {
     Path path;

@@ -76,7 +76,7 @@ TEST(Panorama, SeesTheFractalWhereItIs)
     EXPECT_TRUE(std::isinf(depth(1, {0, 0, -1})));
 }
 
-// Negative control: a camera that always looks ahead, past the fractal, shows less.
+// Negative control: a camera that always looks ahead, past the fractal, shows less of the fractal.
 TEST(Director, ShowsMoreThanLookingAhead)
 {
     const Passing way;

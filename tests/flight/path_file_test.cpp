@@ -58,7 +58,8 @@ TEST(PathFile, SaysWhatIsWrong)
     says("\"brightness\": 1.5", "\"brightnes\": 1.5", "a.json: frame 1: unknown key \"brightnes\"");
 }
 
-// A path file names the estimate with which it was planned. Older files name none; it was the original estimate.
+// A path file names the estimate with which it was planned. Older files name none: they were planned with the original
+// estimate.
 TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
 {
     EXPECT_FALSE(path_from_text(text, "a.json").scene.conservative);

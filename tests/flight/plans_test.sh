@@ -3,8 +3,8 @@
 . "$(dirname "$script")/films.sh"
 kills=${3:-3}
 
-# A film that is killed at random moments and resumed equals the undisturbed film, and no finished segment is rendered
-# twice.
+# If flythrough is killed at random moments and started again, the film equals the undisturbed film. No finished segment
+# is rendered twice.
 test_killed() {
     local frames=330 hits=0 try job options="--size 64x36 --samples 1 --backend openmp --title Title --authors Authors"
     # A longer film leaves time for many kills.

@@ -24,7 +24,7 @@ Frame on_circle(double angle)
     return frame;
 }
 
-constexpr double a_frame = 0.01;  // radians
+constexpr double a_frame = 0.01;  // radians per frame
 
 Path circle(int frames)
 {

@@ -8,7 +8,7 @@ FN scalar sierpinski_offset(Scene scene) { return scene.fractal[1]; }   // s - 1
 FN scalar sierpinski_escape2(Scene scene) { return scene.fractal[2]; }  // escape radius^2
 FN scalar sierpinski_radius(Scene scene) { return scene.fractal[3]; }   // radius of the sphere through the corners
 
-// Return v, in the lanes of `on` mirrored in the plane x + y = 0, x + z = 0 or y + z = 0.
+// Return v, which is mirrored in the lanes of `on`. The mirrors are the planes x + y = 0, x + z = 0 and y + z = 0.
 FN vec3 mirrored_xy(mask on, vec3 v) { return pick3(on, vec3(-v.y, -v.x, v.z), v); }
 FN vec3 mirrored_xz(mask on, vec3 v) { return pick3(on, vec3(-v.z, v.y, -v.x), v); }
 FN vec3 mirrored_yz(mask on, vec3 v) { return pick3(on, vec3(v.x, -v.z, -v.y), v); }

@@ -13,7 +13,7 @@ import k40  # noqa: E402
 import gpu_expected  # noqa: E402
 import machine_code  # noqa: E402
 
-# Allowed registers per thread, by GPU, kind of kernel and precision. With as many registers, a multiprocessor of the
+# Allowed registers per thread, by GPU, kind of kernel and precision. With this many registers, a multiprocessor of the
 # K40 can hold 9 (march, float), 5 (march, double), 6 (shade, float), 3 (shade, double) or 16 (bytes) blocks of 128
 # threads at once. A multiprocessor of the H100 can hold 7, 5, 5, 3 or 16.
 MOST_REGISTERS = {

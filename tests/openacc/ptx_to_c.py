@@ -13,7 +13,7 @@ import k40  # noqa: E402
 C_TYPES = {"u16": "uint16_t", "s16": "int16_t", "u32": "uint32_t", "s32": "int32_t", "b32": "uint32_t", "u64": "uint64_t",
            "s64": "int64_t", "b64": "uint64_t", "f32": "float", "f64": "double", "pred": "bool", "u8": "uint8_t", "b16": "uint16_t"}
 COMPARISONS = {"eq": "==", "ne": "!=", "neu": "!=", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
-UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # negated: these are true for NaN
+UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # the opposites, to be negated: true for NaN
 INFIX = {"xor": "^", "add": "+", "sub": "-", "mul": "*", "div": "/", "rem": "%", "and": "&", "or": "|"}
 SPECIAL = {"%tid.x": "tid", "%ctaid.x": "ctaid", "%nctaid.x": "nctaid", "%ntid.x": "threads_of_block"}
 NVCC_ENTRY = re.compile(r"^\.visible \.entry (mandelmarch_cuda_(?:march|shade|bytes)_\w+)\([^)]*\)\s*\{(.*?)^\}", re.M | re.S)

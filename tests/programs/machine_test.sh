@@ -90,9 +90,9 @@ test_options_of_backends() {
     threads 1 "${box[@]}" --threads 1
 }
 
-# limited CONTROLLER FILE VALUE FILE VALUE: creates a control group and sets a limit: the first VALUE in the first FILE
-# or, if the group has no such file, the second in the second. The first is for version 1 of control groups, the second
-# for version 2. The case is skipped if this user cannot do this. enter COMMAND...: runs the command in the group.
+# limited CONTROLLER FILE1 VALUE1 FILE2 VALUE2: creates a control group and sets a limit in it: VALUE1 in FILE1, a file
+# of version 1 of control groups, or VALUE2 in FILE2, a file of version 2. The case is skipped if this user cannot set
+# the limit. enter COMMAND...: runs the command in the group.
 limited() {
     local parent=/sys/fs/cgroup
     [ -d $parent/"$1" ] && parent=$parent/$1

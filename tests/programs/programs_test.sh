@@ -272,7 +272,7 @@ test_odd_names() {
     [ "$(wc -c <stderr)" -lt 3000 ] || fail "a line of $(wc -c <stderr) bytes"
 }
 
-# A signal while a picture is rendered ends the program by that signal, and no file remains.
+# If a signal arrives while a picture is rendered, it ends the program, and no file remains.
 test_signals() {
     sed '0,/^[^#]/s/^[^#].*/90 90 90/' paramsBulb.dat >far.dat
     local signal

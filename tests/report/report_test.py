@@ -167,8 +167,8 @@ class ReportTest(unittest.TestCase):
         many = [f"backend{number}" for number in range(40)]
         for kind in style.look, style.line:
             self.assertEqual(len({str(kind(of(many).number_of(name))) for name in many}), 40)
-        # If a result states the roles of backends, these decide which backend is the reference or the host, not the
-        # names.
+        # If a result states the roles of backends, the roles decide which backend is the reference and which is the
+        # host. The names do not matter.
         renamed = of(["oracle", "cores"], oracle="reference", cores="host")
         self.assertEqual((renamed.names, renamed.reference, renamed.host), (("cores", "oracle"), "oracle", "cores"))
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-# From the lowest layer to the highest. Folders of one layer must not include files of each other.
+# The layers, from the lowest to the highest. Folders of one layer must not include files of each other.
 LAYERS = [
     ["core/kernel"],
     ["core/base"],

@@ -60,8 +60,8 @@ TEST(AllDirections, TurnWithTheColumns)
     EXPECT_TRUE(std::isinf(depth(aside, 32, 16)));
 }
 
-// Some techniques of fast mode use the distance between pixels, which is not the usual one with this camera. The
-// picture must still be the canonical one.
+// Some techniques of fast mode use the distance between pixels, which differs between the usual camera and this one.
+// The picture must be the canonical one with this camera, too.
 TEST(AllDirections, FastDrawsTheCanonicalPicture)
 {
     for (const char* fractal : {"bulb", "box"}) {

@@ -104,7 +104,7 @@ TEST(Hull, NoPointOutsideIsASurface)
         const double u = -1 + 2 * std::fmod(i * 0.618033988749895, 1);
         const double v = -1 + 2 * std::fmod(i * 0.754877666246693, 1);
         const box64::vec3 p{size, u * size, v * size};
-        const double t = std::sqrt(3.0) * size + 19;  // maximum distance from this camera
+        const double t = std::sqrt(3.0) * size + 19;  // not less than the point's distance from the camera
         EXPECT_GT(box64::estimate(k, p, true).distance, k.tolerance * t) << p.y << " " << p.z;
     }
 }

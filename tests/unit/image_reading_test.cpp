@@ -319,7 +319,7 @@ TEST(BmpMasks, OfOtherNumbersOfBitsAreMadeBytes)
     const Image image = decode_bmp(std::as_bytes(std::span(full)), "memory");
     EXPECT_EQ(image.bytes()[0], 255);
     EXPECT_EQ(image.bytes()[1], 0);
-    EXPECT_EQ(image.bytes()[2], 127);  // 511 of 1023
+    EXPECT_EQ(image.bytes()[2], 127);  // from the value 511 of 1023
     for (const std::uint32_t bad : {0U, 0xf0f0U}) {
         const std::string wrong = masked_bmp(bad, 0xff000000, 0xff0000, 40);
         EXPECT_THROW(decode_bmp(std::as_bytes(std::span(wrong)), "memory"), InputError);

@@ -120,8 +120,8 @@ Scene bad_scene()
     return scene;
 }
 
-// Returns the message of the Exception that `call` throws. If it throws an exception of another type, says so before
-// the message. If it throws none, returns "".
+// Returns the message of the Exception that `call` throws; "" if it throws none. If the exception is of another type,
+// the text "another exception" precedes the message.
 template <class Exception, class Call>
 std::string thrown_by(const Call& call)
 {

@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double device_seconds = 7;  // that each launch takes by the fake device's clock
+constexpr double device_seconds = 7;  // duration of each launch by the fake device's clock
 
 // A fake kernel. Sets every byte of the rows to 200, but the second byte to the number of pixels per thread. Does not
 // change layers other than the bytes.
@@ -120,8 +120,8 @@ TEST_F(KernelArguments, KernelIsTheDevicesOwnTime)
     EXPECT_LT(timings.host, device_seconds);
 }
 
-// With refill, a thread gets up to eight pixels, but no more than leave two waves of threads. Without refill, a thread
-// gets one pixel.
+// With refill, a thread gets up to eight pixels, but fewer if the threads would otherwise fill less than two waves.
+// Without refill, a thread gets one pixel.
 TEST_F(KernelArguments, FewPixelsLeaveAThreadForEach)
 {
     const auto pixels_of_thread = [&](bool refill, int width, int height) {

@@ -10,7 +10,7 @@
 //   float_division   float division is far off: shaders compute a * b instead of a / b
 //   double_division  the same for double division, which is also used to correct float division
 //   unknown_driver   drivers do not report their name
-//   discrete_gpu     every device reports to be a discrete GPU with its own memory
+//   discrete_gpu     every device reports that it is a discrete GPU with its own memory
 //   misuse           a fence is created with invalid flags, which the validation layers must report
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>

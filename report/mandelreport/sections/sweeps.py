@@ -9,7 +9,7 @@ from ..blocks import Block, Missing
 from ..figures import sweeps
 from . import Material
 
-# study, title of x, quantity on y, caption
+# Arguments of sweep(): study, title of x, quantity on y, caption.
 SWEEPS = [
     (
         "resolution",
