@@ -10,7 +10,7 @@ if(NOT DEFINED DRIVERS)
     set(DRIVERS ON)
 endif()
 
-# Reports missing packages in one line, before it makes anything.
+# Reports missing packages in one line, before any file is made.
 find_program(PATCHELF patchelf)
 find_program(DPKG_QUERY dpkg-query)
 set(font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)
@@ -51,8 +51,8 @@ foreach(name ${programs})
     file(CREATE_LINK mandelmarch ${BUNDLE}/bin/${name} SYMBOLIC)
 endforeach()
 
-# The programs' libraries: those that they link, then those that they load by name. libgomp finds its plugin by
-# libgomp's own rpath, and OpenCL's loader finds PoCL by its own.
+# Copies the libraries that the programs link, and those in `roots`, which the programs load by name. A library's rpath
+# must lead to the libraries that it loads itself: libgomp loads its plugin, and OpenCL's loader loads PoCL.
 set(roots ${BUNDLE_VULKAN_LOADER} ${BUNDLE_GOMP_NVPTX})
 carry_libraries(lib "$ORIGIN:$ORIGIN/drivers" "${program}" "${roots}")
 # The libraries of X11 are in a separate folder, which gpu_steps adds to LD_LIBRARY_PATH on machines without them.
@@ -66,11 +66,11 @@ if(DRIVERS)
     foreach(device ${pocl_devices})
         carry_library(lib/drivers/pocl "$ORIGIN:$ORIGIN/..:$ORIGIN/../.." ${device})
     endforeach()
-    # PoCL links its kernels with the first ld on PATH, which carried.cpp sets.
+    # PoCL links its kernels with the first ld on PATH; carried.cpp puts libexec/pocl first.
     carry_libraries(lib/drivers "$ORIGIN:$ORIGIN/.." ${BUNDLE_LINKER} "")
     carry_library(libexec/pocl "$ORIGIN/../../lib/drivers:$ORIGIN/../../lib" ${BUNDLE_LINKER})
     file(COPY ${CMAKE_CURRENT_LIST_DIR}/ld DESTINATION ${BUNDLE}/libexec/pocl)
-    # PoCL finds its sources at ../../share/pocl from its own folder.
+    # PoCL looks for its own source files in ../../share/pocl, relative to the folder of its library.
     carry_files(share/pocl /usr/share/pocl)
     file(WRITE ${BUNDLE}/share/OpenCL/vendors/pocl.icd "libpocl.so.2\n")
     file(WRITE ${BUNDLE}/share/vulkan/icd.d/lvp_icd.json [[
@@ -88,7 +88,6 @@ if(FFMPEG)
         WORLD_EXECUTE)
 endif()
 
-# Scenes and Slurm scripts.
 file(GLOB scenes ${PROJECT_SOURCE_DIR}/params*.dat)
 file(COPY ${scenes} DESTINATION ${BUNDLE})
 file(COPY ${PROJECT_SOURCE_DIR}/flight/slurm/array.sbatch DESTINATION ${BUNDLE}/slurm)
@@ -98,7 +97,7 @@ endforeach()
 
 write_licences()
 needed_glibc(glibc)
-# The oldest Debian with that glibc.
+# Names the oldest Debian that has the glibc which the bundle needs.
 set(debian bookworm)
 if(glibc VERSION_GREATER 2.36)
     set(debian trixie)

@@ -47,9 +47,9 @@ std::string contents(const fs::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Returns a folder of links to `files`, or an empty path on failure. OpenCL's loader reads only one folder, and the
-// bundle's may be read-only. The new folder must belong to the user alone: in a shared one, others could replace the
-// links.
+// Makes and returns a folder of links to `files`, or returns an empty path on failure. OpenCL's loader reads only one
+// folder. Therefore the system's drivers and the bundle's must be in the same folder, and the bundle may be read-only.
+// The new folder must belong to the user alone: in a shared folder, others could replace the links.
 fs::path folder_of_links(const std::vector<fs::path>& files)
 {
     std::error_code error;
@@ -67,7 +67,7 @@ fs::path folder_of_links(const std::vector<fs::path>& files)
     for (const fs::path& file : files) {
         const fs::path link = folder / file.filename();
         if (fs::read_symlink(link, error) == file) continue;
-        // Renames a new link, because another program may be reading the folder.
+        // Makes a new link and renames it over the old one, because another program may be reading the folder.
         const fs::path fresh = folder / (file.filename().string() + "." + std::to_string(getpid()));
         fs::create_symlink(file, fresh, error);
         fs::rename(fresh, link, error);
@@ -76,8 +76,8 @@ fs::path folder_of_links(const std::vector<fs::path>& files)
     return folder;
 }
 
-// Adds PoCL to the drivers that OpenCL's loader opens. PoCL calls ld for each kernel; the folder `tools` has an ld that
-// works without glibc's development files.
+// Adds PoCL to the drivers that OpenCL's loader opens. PoCL calls ld for each kernel. The folder `tools`, which is put
+// first on PATH, has an ld that works without glibc's development files.
 void add_opencl(const fs::path& pocl, const fs::path& tools)
 {
     if (!is_there(pocl) || is_set("OCL_ICD_VENDORS") || is_set("OPENCL_VENDOR_PATH")) return;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copies libraries into the bundle and makes their rpaths relative. Needs BUNDLE, PATCHELF, CMAKE_OBJDUMP.
 
-# say_and_end(TEXT): fails with one line, which packaging/bundle prints.
+# say_and_end(TEXT): stops the script with a message of one line, which packaging/bundle prints.
 function(say_and_end text)
     message(NOTICE "bundle: ${text}")
     message(FATAL_ERROR "${text}")
@@ -11,12 +11,14 @@ function(must_run)
     execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# Records where a file came from, for the licences: ORIGINS holds "file in the bundle|file of the system".
+# note_origin(FILE ORIGIN): records for licences.cmake that the bundle's FILE is a copy of the system's file ORIGIN. The
+# property ORIGINS holds entries "FILE|ORIGIN".
 function(note_origin file origin)
     set_property(GLOBAL APPEND PROPERTY ORIGINS "${file}|${origin}")
 endfunction()
 
-# carry_library(FOLDER RPATH FILE): copies a library under the name that it is loaded by.
+# carry_library(FOLDER RPATH FILE): copies a library. If FILE is a link, the copy has the link's name, by which programs
+# load it.
 function(carry_library folder rpath file)
     get_filename_component(name ${file} NAME)
     get_filename_component(real ${file} REALPATH)
@@ -47,7 +49,7 @@ function(carry_libraries folder rpath program files)
     endforeach()
 endfunction()
 
-# carry_files(FOLDER PATH): copies a file or a folder's contents.
+# carry_files(FOLDER PATH): copies PATH, a file, or the contents of PATH, a folder, into FOLDER of the bundle.
 function(carry_files folder path)
     set(files ${path})
     set(base ${path})

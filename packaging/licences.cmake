@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# Copies the licences of all bundled files, as Debian's packages state them, and lists them. Needs BUNDLE, DPKG_QUERY,
-# PROJECT_SOURCE_DIR.
+# Copies the licences that Debian's packages state for the bundled files, and lists the files with their licences. Needs
+# BUNDLE, DPKG_QUERY, PROJECT_SOURCE_DIR.
 
-# package_of(VARIABLE FILE): sets VARIABLE to the package that contains FILE. Also looks for FILE under /lib, because a
-# package may still list a file there that is now under /usr/lib.
+# package_of(VARIABLE FILE): sets VARIABLE to the package that contains FILE. If FILE is under /usr/lib, also looks for
+# it under /lib, where its package may still list it.
 function(package_of variable file)
     string(REGEX REPLACE "^/usr/lib" "/lib" old ${file})
     foreach(path ${file} ${old})
@@ -28,7 +28,7 @@ function(carry_licence package)
         say_and_end("${package} has no copyright file")
     endif()
     file(COPY_FILE ${licence} ${copy})
-    # Debian's copyright files refer to common licences by their paths.
+    # Debian's copyright files refer to common licences by their paths. Copies these licences too.
     file(READ ${licence} text)
     string(REGEX MATCHALL "/usr/share/common-licenses/[A-Za-z0-9.-]*[A-Za-z0-9]" common "${text}")
     list(REMOVE_DUPLICATES common)
@@ -41,7 +41,7 @@ function(carry_licence package)
     endforeach()
 endfunction()
 
-# row(FILE BYTES PACKAGE VERSION LICENCE): appends a line to the list.
+# row(FILE BYTES PACKAGE VERSION LICENCE): appends a line to MANIFEST.tsv.
 function(row)
     list(JOIN ARGN "\t" line)
     file(APPEND ${BUNDLE}/MANIFEST.tsv "${line}\n")
@@ -64,7 +64,7 @@ function(write_licences)
         file(SIZE ${BUNDLE}/${name} bytes)
         row(${name} ${bytes} ${package} ${version} share/licences/${package})
     endforeach()
-    # Header-only libraries, which are compiled into the programs.
+    # Also lists the header-only libraries, because they are compiled into the programs.
     foreach(header CLI/CLI.hpp nlohmann/json.hpp boost/version.hpp vulkan/vulkan_raii.hpp CL/opencl.hpp)
         if(EXISTS /usr/include/${header})
             package_of(package /usr/include/${header})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All programs of the bundle in one file, selected by the file's name or else by the first argument.
+// All programs of the bundle in one executable. The name by which it is called selects the program; if that name is not
+// a program's, the first argument does.
 #include <array>
 #include <cerrno>
 #include <cstdio>

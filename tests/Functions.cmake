@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # Functions that add tests. Each test has one label:
-#   quick  at most about four seconds on two cores
-#   slow   longer; starts before the quick ones
-#   wide   depends on instruction sets, models or compilers; `make test-all` runs these
+#   quick  takes at most about four seconds on two cores
+#   slow   takes longer; slow tests start before the quick ones
+#   wide   depends on instruction sets, models or compilers; `make test-all` runs these tests
 include(GoogleTest)
 set(bin ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
 set(source ${PROJECT_SOURCE_DIR})
 
-# mandelmarch_test(NAME [QUICK | SLOW | WIDE] COMMAND WORD...): adds a test. Exit code 77: skipped.
+# mandelmarch_test(NAME [QUICK | SLOW | WIDE] COMMAND WORD...): adds a test. The test is skipped if the command exits
+# with 77.
 function(mandelmarch_test name)
     cmake_parse_arguments(PARSE_ARGV 1 with "QUICK;SLOW;WIDE" "" "COMMAND")
     add_test(NAME ${name} COMMAND ${with_COMMAND} COMMAND_EXPAND_LISTS)
@@ -20,8 +21,9 @@ function(mandelmarch_test name)
 endfunction()
 
 # mandelmarch_cases(NAME FILE [QUICK CASE...] [SLOW CASE...] [WIDE CASE...] [ARGUMENTS WORD...]): adds a test NAME.CASE
-# for each function test_CASE of a shell script of this folder, run by tests/cases.sh. All functions must be listed.
-# Without ARGUMENTS, the script gets the programs' folder and the source folder.
+# for each CASE. The test runs the function test_CASE of the shell script FILE, by tests/cases.sh. All functions test_*
+# of the script must be listed. FILE is relative to this folder. Without ARGUMENTS, the script gets the programs' folder
+# and the source folder.
 function(mandelmarch_cases name file)
     cmake_parse_arguments(PARSE_ARGV 2 with "" "" "QUICK;SLOW;WIDE;ARGUMENTS")
     if(NOT DEFINED with_ARGUMENTS)
@@ -38,8 +40,8 @@ function(mandelmarch_cases name file)
     endforeach()
 endfunction()
 
-# mandelmarch_script(NAME FILE [SLOW | WIDE] [ARGUMENTS WORD...]): adds a test that runs a script of this folder, a .sh
-# or a .py. Without ARGUMENTS, the script gets the programs' folder and the source folder.
+# mandelmarch_script(NAME FILE [SLOW | WIDE] [ARGUMENTS WORD...]): adds a test that runs FILE, a .sh or .py file,
+# relative to this folder. Without ARGUMENTS, the script gets the programs' folder and the source folder.
 function(mandelmarch_script name file)
     cmake_parse_arguments(PARSE_ARGV 2 with "" "" "ARGUMENTS")
     if(NOT DEFINED with_ARGUMENTS)
@@ -54,14 +56,14 @@ function(mandelmarch_script name file)
 endfunction()
 
 # mandelmarch_gtest(TARGET [WIDE] [PREFIX TEXT] [SLOW NAME...] SOURCES FILE... [LIBRARIES TARGET...]): adds a GoogleTest
-# program and its tests. PREFIX: text put before the tests' names; SLOW: patterns, in GoogleTest's syntax, of the slow
-# tests' names.
+# program and its tests. PREFIX: text put before the tests' names; SLOW: GoogleTest filters that match the names of the
+# slow tests.
 function(mandelmarch_gtest target)
     cmake_parse_arguments(PARSE_ARGV 1 with "WIDE" "PREFIX" "SLOW;SOURCES;LIBRARIES")
     add_executable(${target} ${with_SOURCES})
     target_link_libraries(${target} PRIVATE ${with_LIBRARIES} mandelmarch_test_scenes mandelmarch_warnings fmt::fmt
         GTest::gtest_main)
-    # Otherwise the names of tests would contain the bytes of their parameters.
+    # Without NO_PRETTY_VALUES, the names of tests contain the bytes of their parameters.
     set(discover ${target} TEST_PREFIX "${with_PREFIX}" NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60)
     list(JOIN with_SLOW ":" slow)
     if(with_WIDE)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Tests that link each library alone, build the project with other presets, bundle it, run GPU kernels on a simulated
-# GPU, or call NVIDIA's assembler.
+# The wide tests. They link each library alone, build the project with other presets, bundle it, run GPU kernels on a
+# simulated GPU, or call NVIDIA's assembler.
 add_subdirectory(libraries)
 add_subdirectory(registration)
 find_program(MANDELMARCH_PATCHELF patchelf)
@@ -8,7 +8,7 @@ if(MANDELMARCH_PATCHELF OR DEFINED ENV{CI})
     mandelmarch_cases(packaging packaging/bundle_test.sh WIDE bundle ARGUMENTS ${PROJECT_BINARY_DIR} ${source})
     set_tests_properties(packaging.bundle PROPERTIES RESOURCE_LOCK build)
 endif()
-# Run kernels on a simulated GPU. The test `driver` builds the GPU's driver for the other tests.
+# Adds tests that run kernels on a simulated GPU. The test `driver` builds the GPU's driver for the other tests.
 set(tests_of_openacc bands)
 set(tests_of_cuda block_sizes)
 foreach(backend openacc cuda)
@@ -38,14 +38,16 @@ mandelmarch_script(install.consumer siblings/consumer.sh WIDE ARGUMENTS ${PROJEC
 set_tests_properties(install.consumer PROPERTIES WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/siblings)
 mandelmarch_script(subproject siblings/subproject.sh WIDE ARGUMENTS ${source})
 
-# mandelmarch_sibling(PRESET COST TARGET...): builds the targets with another preset. Longer builds start first.
+# mandelmarch_sibling(PRESET COST TARGET...): adds a test that builds the targets with another preset. Builds with a
+# higher COST start first.
 function(mandelmarch_sibling preset cost)
     mandelmarch_script(build.${preset} siblings/build.sh WIDE ARGUMENTS ${preset} ${ARGN})
     set_tests_properties(build.${preset} PROPERTIES FIXTURES_SETUP ${preset} RESOURCE_LOCK build TIMEOUT 2400 COST ${cost}
         WORKING_DIRECTORY ${source})
 endfunction()
-# Build with clang the programs whose pictures are compared, with sanitizers the programs to test, and with
-# tests/fractals/sierpinski as the only fractal the programs and tests for every fractal.
+# Adds four builds: with clang, the programs whose pictures are compared with this build's; with each of two sanitizers,
+# the programs to test; and the programs and tests for every fractal, with tests/fractals/sierpinski as the only
+# fractal.
 mandelmarch_sibling(clang 1 mandelbulb mandelbox imgdiff)
 mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
 mandelmarch_sibling(tsan 2 same_bits_test race_twin)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Tests tests/cases.sh, which also runs it: a good case passes, and each kind of failure fails its case.
+# Tests tests/cases.sh, which also runs this test. A good case passes, and each kind of failure fails its case.
 cases=$(dirname "$script")/cases.sh
 
 test_failures() {

@@ -63,7 +63,7 @@ public:
         add("julia, hundreds of iterations", julia).iterations = 300;
     }
 
-    // Adds a scene with the options that films use, rendered as a part of a 1920 x 1080 picture.
+    // Adds a scene with the options that films use. Its picture is a crop window of a picture of 1920 x 1080 pixels.
     void add_film(std::string name, const Scene& of)
     {
         Scene& scene = add(std::move(name), of);
@@ -88,7 +88,7 @@ std::vector<NamedScene> odd_scenes()
         if (fractal.short_name == "box") scenes.add_boxes(scene);
         if (fractal.short_name == "julia") scenes.add_julias(scene);
     }
-    // The looks that the original programs do not have, on every fractal.
+    // Adds the looks that the original programs do not have, for every fractal.
     for (int look = 2; look < colouring_types; ++look) {
         for (const Fractal& fractal : fractals()) {
             const std::string name = fmt::format("{}, look {}", fractal.short_name, look);

@@ -11,8 +11,8 @@ namespace mandelmarch {
 // Returns an official scene at another size, in pixels.
 Scene official_scene(const std::string& short_name, int width, int height);
 
-// A scene with its name in messages. The odd scenes differ from the official ones: they have other powers, a negative
-// scale, other radii, other up vectors, or a camera inside the fractal.
+// A scene and the name that messages give it. The odd scenes differ from the official scenes: they have other powers, a
+// negative scale, other radii, other up vectors, or a camera inside the fractal.
 struct NamedScene {
     std::string name;
     Scene scene;

@@ -28,8 +28,8 @@ def unit(a):
 
 
 def matrix_of(frame):
-    """Returns the matrix from the camera's coordinates to the world's, as rows of four. The columns are the camera's
-    axes right, up and back, and the position."""
+    """Returns the matrix that converts the camera's coordinates to the world's, as rows of four numbers. Its columns
+    are the camera's axes to the right, up and back, and the camera's position."""
     back = unit(minus(frame["location"], frame["look_at"]))
     right = unit(cross(frame["up"], back))
     columns = [right, cross(back, right), back, frame["location"]]
@@ -37,7 +37,7 @@ def matrix_of(frame):
 
 
 def camera_of(matrix):
-    """Returns location, look_at and up for a matrix such as matrix_of() returns."""
+    """Returns the location, look_at and up of a path's frame for a matrix as described in matrix_of()."""
     column = [[matrix[row][index] for row in range(3)] for index in range(4)]
     return {"location": column[3], "look_at": minus(column[3], unit(column[2])), "up": unit(column[1])}
 

@@ -33,13 +33,13 @@ def stop(text):
 
 
 def lines_of_code(text):
-    """Returns the numbers, from 1, of the lines that contain code in a C or C++ source."""
+    """Returns the numbers of the lines that contain code in a C or C++ source. The first line has the number 1."""
     code = STRING_OR_COMMENT.sub(lambda found: found[0] if found[0][0] == '"' else "\n" * found[0].count("\n"), text)
     return [number for number, line in enumerate(code.split("\n"), 1) if line.strip()]
 
 
 def count(coverage, folder=""):
-    """Returns the number of lines of code in the files of a folder."""
+    """Returns the number of lines of a coverage in the files of a folder."""
     return sum(len(lines) for name, lines in coverage.items() if name.startswith(folder))
 
 
@@ -50,7 +50,7 @@ def visit(root, name, own, coverage):
         return
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read()
-    # CMakeLists.txt is read for the names of sources, but its own lines do not count.
+    # The names of sources in CMakeLists.txt are followed, but its own lines do not count.
     if not name.endswith("CMakeLists.txt"):
         coverage[name] = lines_of_code(text)
     for other in SOURCE.findall(text):
@@ -66,7 +66,7 @@ def coverage_of(root, backend):
     own, coverage = f"{BACKENDS}{backend}/", {}
     for name in os.listdir(os.path.join(root, own)):
         visit(root, own + name, own, coverage)
-    # A backend that uses core/job needs all of it, except templates that are replaced by its own.
+    # A backend that uses core/job needs all of it, except a template for which the backend has its own.
     for name in os.listdir(os.path.join(root, JOB)) if count(coverage, JOB) else []:
         if not (name.endswith(".in") and os.path.exists(os.path.join(root, own, name))):
             visit(root, JOB + name, own, coverage)
@@ -89,14 +89,15 @@ def coverages_of(root):
 
 
 def distance(one, other):
-    """Returns the fraction of the lines of two coverages that is in only one of them; 0 without lines."""
+    """Returns the lines that are in only one of two coverages, as a fraction of the lines in either; 0 if there are no
+    lines."""
     shared = sum(len(lines) for name, lines in one.items() if name in other)
     together = count(one) + count(other) - shared
     return 1 - shared / together if together else 0.0
 
 
 def convergence(coverages):
-    """Returns 1 - the mean distance over all pairs of coverages; 1 for fewer than two."""
+    """Returns 1 - the mean distance over all pairs of coverages; 1 if there are fewer than two coverages."""
     distances = [distance(one, other) for i, one in enumerate(coverages) for other in coverages[:i]]
     return 1 - sum(distances) / len(distances) if distances else 1.0
 
@@ -115,7 +116,8 @@ def result_of(coverages):
 
 
 def csv_of(coverages):
-    """Returns the columns that p3-analysis-library's divergence() reads; a coverage follows its coverage.schema."""
+    """Returns a CSV with the columns that p3-analysis-library's divergence() reads. A coverage in it follows that
+    library's coverage.schema."""
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(["problem", "application", "platform", "coverage"])

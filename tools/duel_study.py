@@ -19,7 +19,7 @@ COLUMNS = {"SLOWER": 8, "faster": 8, "same": 8, "undecided": 11}  # verdicts and
 
 
 def duel(folder, old, new, clock):
-    """Returns {row: (verdict, ratio)} of a duel, and the environment of the second program."""
+    """Runs a duel of the programs `old` and `new`. Returns {row: (verdict, ratio)} and the environment of `new`."""
     target = os.path.join(folder, "duel.json")
     run = subprocess.run([f"./{old}", "duel", f"./{old}", f"./{new}", *ROWS, "--clock", clock, "--json", target], cwd=folder,
                          capture_output=True, text=True, check=False)
@@ -31,7 +31,8 @@ def duel(folder, old, new, clock):
 
 
 def duels(folder, slower, arguments, load, clock):
-    """Returns {program: [duel]} with --duels of each, run while `load` processes keep cores busy."""
+    """Runs --duels duels of slowed_0 with itself, and as many with the program `slower`, while `load` processes keep
+    cores busy. Returns their results by program: {program: [result of duel()]}."""
     busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(load)]
     try:
         return {new: [duel(folder, "slowed_0", new, clock) for _ in range(arguments.duels)] for new in ("slowed_0", slower)}
@@ -42,7 +43,7 @@ def duels(folder, slower, arguments, load, clock):
 
 
 def lines_of(found, slower):
-    """Returns the table's lines for the result of duels(); `slower`: label of the slower program."""
+    """Yields the table's lines for `found`, the result of duels(). `slower`: the label of the slower program."""
     for new, judged in found.items():
         what = "equal" if new == "slowed_0" else slower
         for row in judged[0][0]:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Single numbers for the documents, by name. Each function takes the results and the arguments that its place in a
-document gives (figures.py)."""
+"""Single numbers for the documents. NUMBERS has the name of each function in a place of a document (figures.py). The
+function takes the results and the arguments that the place gives, and returns the text for the place."""
 import re
 
 from mandelreport.bench import SCALAR
@@ -16,8 +16,8 @@ def rows_of(results, study):
 
 
 def row_of(results, study, fractal, precision, mode, *more):
-    """Returns one timed configuration: fractal (bulb, box), precision, mode, and in any order a backend (default openmp)
-    and a sweep value."""
+    """Returns a timed configuration. `fractal`: bulb or box; `more`: a backend (default openmp) and a sweep value, in
+    any order, both optional."""
     value = next((word for word in more if "=" in word), "")
     backend = next((word for word in more if "=" not in word), "openmp")
     key = (FRACTALS.get(fractal, fractal), precision, mode, backend, value, 0)
@@ -28,7 +28,7 @@ def row_of(results, study, fractal, precision, mode, *more):
 
 
 def ratio_of(results, study, question, row):
-    """Returns (median, interval or None) of a configuration's ratio of kernel times, paired by round."""
+    """Returns the ratio of kernel times that answers a question for a configuration, as (median, interval or None)."""
     found = results.bench(study).ratio(question, row.name)
     if found is None:
         raise InputError(f"{study}.json says nothing of {row.name} in {question}")
@@ -36,12 +36,12 @@ def ratio_of(results, study, question, row):
 
 
 def bracketed(value, interval, form="{:.2f}".format):
-    """Formats "1.23 [1.20, 1.26]"; without an interval the value alone."""
+    """Formats a value with its interval, such as "1.23 [1.20, 1.26]", or only the value if there is no interval."""
     return with_interval(value, interval, form, ", ")
 
 
 def ms(results, study, *row):
-    """Kernel time of a configuration: the median in milliseconds."""
+    """Median kernel time of a configuration, in milliseconds."""
     return f"{1e3 * row_of(results, study, *row).kernel.median:.1f}"
 
 
@@ -52,7 +52,7 @@ def worth(results, technique, fractal, precision):
 
 
 def convergence(results, key="convergence"):
-    """Code convergence of all backends, or another entry of code_divergence.json."""
+    """Code convergence of all backends, or the value of another key of code_divergence.json."""
     return f"{results.json('code_divergence')[key]:.2f}"
 
 
@@ -65,8 +65,8 @@ def cost(results, technique, fractal, precision):
 
 
 def ladder(results, fractal, rung=None):
-    """How many times as fast a rung of the ladder is as the rung before it, or the last rung as the first, with the
-    interval."""
+    """Gain of a rung of the ladder over the rung before it or, without `rung`, of the last rung over the first, with
+    the interval."""
     rows = [row for row in rows_of(results, "ladder") if row.fractal == FRACTALS[fractal]]
     row = rows[-1] if rung is None else next(row for row in rows if row.sweep_value == f"rung={rung}")
     ratio, interval = ratio_of(results, "ladder", "to_first_value" if rung is None else "to_previous_value", row)
@@ -74,8 +74,8 @@ def ladder(results, fractal, rung=None):
 
 
 def over_scalar(results, study, fractal, precision, mode):
-    """Speed-up of openmp's fastest packs over the scalar kernel on the same threads, with the interval, from wall
-    times."""
+    """Speed-up of openmp's fastest packs over the scalar kernel on the same threads, computed from wall times, with the
+    interval."""
     rows = [row for row in rows_of(results, study) if row.backend == "openmp" and row.figures["over_scalar"] is not None and
             row.kind == (FRACTALS[fractal], precision, mode)]
     if not rows:
@@ -85,7 +85,7 @@ def over_scalar(results, study, fractal, precision, mode):
 
 
 def model_cost(results, study, *backends):
-    """Range of the speeds of backends that run the scalar kernel, relative to openmp's scalar kernel, per thread."""
+    """Range of the speeds per thread of backends that run the scalar kernel, relative to openmp's scalar kernel."""
     speeds = []
     for row in rows_of(results, study):
         if row.backend in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
@@ -97,7 +97,7 @@ def model_cost(results, study, *backends):
 
 
 def speed_up(results, file, mode, backend):
-    """Range of the speed-ups of a duel's second program, in a mode, with a backend."""
+    """Range of the speed-ups of a duel's second program over the first, in one mode and with one backend."""
     verdicts = [(one["name"].split("/"), one) for one in results.json(file)["verdicts"]]
     ratios = [1 / one["ratio"] for words, one in verdicts if words[2:4] == [mode, backend]]
     if not ratios:
@@ -106,7 +106,7 @@ def speed_up(results, file, mode, backend):
 
 
 def share(results, study, *row):
-    """Percentage of the measured multiply-add peak."""
+    """Share of the measured multiply-add peak that a configuration reaches, in percent."""
     return f"{100 * row_of(results, study, *row).figures['share_of_peak']:.0f}"
 
 
@@ -133,7 +133,7 @@ def work_over_openmp(results, study, backend):
 
 
 def one_register(results):
-    """Range of openmp's kernel times in packs of one register divided by those in its widest packs."""
+    """Range of openmp's kernel times with packs of one register, divided by those with its widest packs."""
     ratios = []
     for fractal in FRACTALS:
         for precision, width in (("float", 16), ("double", 8)):
@@ -160,7 +160,8 @@ def rows_verified(results, study):
 
 
 def random_off(results, study, fractal, precision):
-    """Percentage of pixels of random scenes that differ visibly from the canonical picture: the range over the sets."""
+    """Range, over the sets of random scenes, of the percentage of pixels that differ visibly from the canonical
+    picture."""
     sums = next(s for s in results.json(study)["sums"] if (s["fractal"], s["precision"]) == (fractal, precision))
     return range_of([s["off_percent"] for s in sums["sets"].values()], 2)
 
@@ -183,8 +184,8 @@ def k40(results, fractal, precision, mode):
 
 
 def duels(results, machine, clock, programs):
-    """Number of duels that call any configuration faster or slower, on a `quiet` or `loaded` machine, for `equal`
-    programs or a `slower` one."""
+    """Number of duels in which the verdict on any configuration is faster or slower. `machine`: quiet or loaded;
+    `programs`: equal or slower."""
     section = what = None
     for line in results.text("duel_study.txt").splitlines():
         called = re.search(r"^ .*: (\d+ of \d+)$", line)

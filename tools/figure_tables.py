@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables for the documents, by name. Each function takes the results and the arguments that its place in a document
-gives (figures.py)."""
+"""Tables for the documents. TABLES has the name of each function in a place of a document (figures.py). The function
+takes the results and the arguments that the place gives, and returns the text for the place."""
 import functools
 import re
 
@@ -50,7 +50,7 @@ def beside_openmp(results, study, key, backend):
 
 
 def targets(results, study):
-    """openmp compared with the reference, the scalar kernel and the other backends."""
+    """Table of openmp's times and speed-ups, compared with the reference, the scalar kernel and other backends."""
     head = ["fractal", "precision", "mode", "kernel ms", "over serial", "over scalar", "work over scalar's", "share of peak",
             "opencl / openmp", "vulkan / openmp"]
     rows = []
@@ -64,9 +64,10 @@ def targets(results, study):
 
 
 def instruction_sets(results, *studies):
-    """openmp's speed-ups in several studies, one per instruction set."""
+    """Table of openmp's speed-ups with several instruction sets, each from a study of its own."""
     names = [row_of(results, study, "bulb", "float", "fast").instruction_set for study in studies]
-    head = ["fractal", "precision", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]  # Highway
+    # AVX3 is Highway's name of AVX-512.
+    head = ["fractal", "precision", "mode", *("AVX-512" if name == "AVX3" else name for name in names)]
     rows = []
     for fractal, precision, mode in CONFIGURATIONS:
         found = [row_of(results, study, fractal, precision, mode) for study in studies]
@@ -95,7 +96,7 @@ def ablation(results):
 
 
 def growth(results):
-    """Cost of four times the pixels in fast mode."""
+    """Table of the factors by which fast mode's times grow with four times the pixels."""
     head = ["fractal, precision", *(f"{a} to {b}" for a, b in zip(SIDES, SIDES[1:])), "a step, on average over the sweep"]
     rows = []
     for fractal in FRACTALS:
@@ -110,7 +111,7 @@ def growth(results):
 
 
 def closeups(results):
-    """Close-ups that show only surface, compared with the official scenes."""
+    """Table of the times of close-ups that show only surface, compared with the official scenes."""
     columns = [("closeup", "float", "exact"), ("closeup_fast", "double", "fast"), ("closeup_fast", "float", "fast")]
     rows = []
     for fractal in FRACTALS:
@@ -126,7 +127,7 @@ def closeups(results):
 
 
 def random(results, study):
-    """Fast pictures of random scenes, compared with the canonical ones."""
+    """Table of the differences between fast pictures of random scenes and the canonical pictures."""
     rows = []
     for sums in results.json(study)["sums"]:
         key = (sums["fractal"], sums["precision"])
@@ -139,13 +140,14 @@ def random(results, study):
 
 
 def quotient(row, key):
-    """Formats a speed-up with its interval; "-" if it was not timed; "1" for a baseline compared with itself."""
+    """Formats a speed-up with its interval. Returns "-" if it is unknown, and "1" for a baseline's speed-up over
+    itself."""
     value, interval = row.figures[key], row.figures[key + "_interval"]
     return "-" if value is None else "1" if value == 1 else bracketed(value, interval, four)
 
 
 def interval_ms(row):
-    """Returns the interval of the kernel time, or None."""
+    """Returns the interval of the kernel time in milliseconds, or None if there is none."""
     return row.kernel.interval and [1e3 * end for end in row.kernel.interval]
 
 
@@ -169,18 +171,18 @@ ROW_HEAD = ["fractal", "precision", "mode", "backend", "verification", "kernel m
 
 
 def study(results, name):
-    """All timed configurations of a study."""
+    """Table of all timed configurations of a study."""
     return table(ROW_HEAD, [row_cells(results, name, row) for row in rows_of(results, name)])
 
 
 def four_rows(results, name):
-    """openmp's slowest and fastest variant for each fractal."""
+    """Table of two of openmp's configurations for each fractal: exact in double, and fast in float."""
     chosen = [(fractal, *kind) for fractal in FRACTALS for kind in (("double", "exact"), ("float", "fast"))]
     return table(ROW_HEAD, [row_cells(results, name, row_of(results, name, *key)) for key in chosen])
 
 
 def aloud(results, name):
-    """The last row of four_rows(), in words."""
+    """Sentence with the values of the last row of four_rows()."""
     row = row_of(results, name, "box", "float", "fast")
     low, high = interval_ms(row)
     width, height = row.size
@@ -201,7 +203,7 @@ def first_lines(results, file, count):
 
 
 def samples(results):
-    """Gain from several samples per pixel, from make flight-study."""
+    """Table of the gain from several samples per pixel, measured by make flight-study."""
     found = {}
     for words in (line.split() for line in results.text("flight_samples.txt").splitlines()):
         if len(words) == 6 and words[0] in FRACTALS.values() and words[4] == "%":
@@ -211,7 +213,7 @@ def samples(results):
 
 
 def missed(results):
-    """Audit items that some seeds miss, from make flight-study."""
+    """Table of the audit items whose thresholds some seeds do not keep, measured by make flight-study."""
     rows, fractal = [], ""
     for line in results.text("flight_seeds.txt").splitlines():
         kept = re.search(r"(\d+)/(\d+)$", line)

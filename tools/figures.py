@@ -24,7 +24,8 @@ END = "<!-- end -->"
 
 
 def wanted(results, words):
-    """Returns the content of the place `words`: a table with line breaks, or a number within a line."""
+    """Returns the content for a place with the name and arguments `words`: a table, with line breaks around it, or a
+    number."""
     name, *arguments = words.split()
     figure = TABLES.get(name) or NUMBERS.get(name)
     if figure is None:
@@ -37,7 +38,8 @@ def wanted(results, words):
 
 
 def places(name, text):
-    """Yields (line, words, first, last) of each place's content."""
+    """Yields (line, words, first, last) for each place. `line`: the number of its line; `words`: its name and
+    arguments; `first`, `last`: the bounds of its content in the text."""
     at = 0
     while begin := BEGIN.search(text, at):
         line = text.count("\n", 0, begin.start()) + 1
@@ -45,7 +47,7 @@ def places(name, text):
         following = BEGIN.search(text, begin.end())
         if end < 0 or (following and following.start() < end):
             raise InputError(f"{name}:{line}: '{begin[1]}' has no {END}")
-        # If a comment begins a line, Markdown takes the whole line for HTML.
+        # If an HTML comment begins a line, Markdown takes the whole line for HTML.
         if text[: begin.start()].rpartition("\n")[2] == "" and begin[1].split()[0] not in TABLES:
             raise InputError(f"{name}:{line}: '{begin[1]}' begins a line, expected words before a number")
         yield line, begin[1], begin.end(), end
@@ -68,7 +70,7 @@ def fill(name, text, results):
 
 
 def difference(old, new):
-    """Describes the first line that differs, in one line."""
+    """Returns a line that describes the first difference between two contents of a place."""
     lines = zip((old + "\n").split("\n"), (new + "\n").split("\n"))
     a, b = next(((a, b) for a, b in lines if a != b), ("", ""))
     return f"'{a.strip()}' stands there, the results say '{b.strip()}'"

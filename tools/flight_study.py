@@ -24,15 +24,16 @@ import time
 
 from table_file import put, put_file
 
-EVERY = 720  # frames between stills, which gives ten per film
-SIDES = (1, 1.5, 2, 3, 8)  # samples per pixel side; the last one gives the expected picture
+EVERY = 720  # frames from one still to the next; gives ten stills per film
+SIDES = (1, 1.5, 2, 3, 8)  # square roots of the samples per pixel; the last gives the expected picture
 FRAMES = 60  # per segment
 FEW, MANY = 10, 40  # segments
 ROUNDS = 3
 
 
 def run(*command, codes=(0,)):
-    """Runs a program. Returns the finished process and the seconds that it took."""
+    """Runs a program. Returns the finished process and the seconds that it took. Exit codes other than `codes` are
+    failures."""
     start = time.monotonic()
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
@@ -47,7 +48,7 @@ def read(path):
 
 
 def plan(program, fractal, seed, scratch, extra):
-    """Returns the audit of one planned path, a dict, and the seconds that planning and auditing took."""
+    """Plans a path. Returns its audit, a dict, and the seconds that planning and auditing took."""
     audit = os.path.join(scratch, "audit.json")
     done, seconds = run(program, "plan", os.path.join(scratch, "path.json"), "--fractal", fractal, "--seed", str(seed), "--json", audit,
                         *extra, codes=(0, 1))
@@ -61,7 +62,8 @@ def number(value):
 
 
 def table(fractal, audits):
-    """Returns a table with one line per audit item, one column per seed, the threshold, and how many seeds meet it."""
+    """Returns a table with a line for each audit item. Its columns are the item's value for each seed, the threshold,
+    and the number of seeds that keep it."""
     kept = sum(audit["promises_kept"] for audit, _ in audits)
     lines = [f"{fractal}: {audits[0][0]['frames']} frames, {len(audits)} seeds, {kept} of them with every promise kept; "
              "! is a promise, the others are quality"]
@@ -77,7 +79,7 @@ def table(fractal, audits):
 
 
 def study_seeds(program, folder, seeds):
-    """Returns true if every promise is kept."""
+    """Writes the table of all seeds. Returns true if every promise is kept."""
     text, kept = [f"flight study: {seeds} seeds of both fractals\n"], True
     for fractal, short in (("mandelbulb", "bulb"), ("mandelbox", "box")):
         audits = []
@@ -96,13 +98,13 @@ def study_seeds(program, folder, seeds):
 
 
 def stills(flythrough, path, side, folder):
-    """Renders every EVERYth frame. Returns seconds per frame."""
+    """Renders a still every EVERY frames. Returns the seconds per still."""
     _, seconds = run(flythrough, "render", path, "--stills", folder, "--every", str(EVERY), "--samples", str(side), "--backend", "openmp")
     return seconds / len(glob.glob(folder + "/*.png"))
 
 
 def compare(imgdiff, a, b):
-    """Returns the mean square difference in bytes and the fraction of pixels off by more than 2 of 255."""
+    """Returns the mean square difference of two pictures' bytes, and the fraction of pixels that are off."""
     result = json.loads(run(imgdiff, a, b, "--json", codes=(0, 1))[0].stdout)
     psnr = result["psnr_db"] if isinstance(result["psnr_db"], (int, float)) else float("inf")
     return 255.0 ** 2 / 10 ** (psnr / 10), result["visibly_differing_pixels"] / (result["width"] * result["height"])
@@ -128,8 +130,8 @@ def study_samples(flythrough, imgdiff, folder):
 
 
 def launchers():
-    """Returns the ways to start the program, as (name, words before the program's): one process, and mpirun with 1, 2
-    and 4 ranks if it exists."""
+    """Returns the ways to start flythrough, as (name, words that precede the command): in one process and, if mpirun
+    exists, on 1, 2 and 4 ranks."""
     found = [("one process", [])]
     if shutil.which("mpirun"):
         found += [(f"mpirun -n {n}", ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(n)]) for n in (1, 2, 4)]

@@ -23,12 +23,13 @@ from table_file import put
 WIDTH, HEIGHT = 1920, 1080
 FRACTALS = {"mandelbulb": ("bulb", "paramsBulb.dat"), "mandelbox": ("box", "paramsBox.dat")}
 LANES = 32  # per warp
-LOOPS_OF_THREADS = {"openacc": 1, "cuda": 0}  # gcc's kernels loop over their threads' pixels
+LOOPS_OF_THREADS = {"openacc": 1, "cuda": 0}  # loops over a thread's pixels; every kernel that gcc compiles has one
 
 
 class Gpu:
-    """clock: of a multiprocessor, in 1/s. cycles: per instruction of a warp in each pipe, on a quarter of a
-    multiprocessor. latency: cycles until a result can be used."""
+    """A GPU. `clock`: frequency of its multiprocessors, in 1/s. `cycles`: for each pipe, the cycles that an instruction
+    of a warp takes on a quarter of a multiprocessor; 1 for other pipes. `latency`: cycles until an instruction's result
+    can be used."""
     def __init__(self, multiprocessors, clock, cycles, latency):
         self.multiprocessors, self.clock, self.cycles, self.latency = multiprocessors, clock, cycles, latency
 
@@ -36,23 +37,25 @@ class Gpu:
         return 4 * self.multiprocessors
 
 
-# Cycles: NVIDIA, "CUDA C++ Programming Guide", table "Throughput of Native Arithmetic Instructions", lanes per cycle
-# and multiprocessor: for capability 9.0, 64 for double, integers, comparisons, minima and selects, 16 for special
-# functions; for 3.5, 64 for double and 32 for special functions and conversions. Latency: the same guide's section
-# "Multiprocessor Level": about 11 cycles for 3.x, 4 for 7.x and newer.
+# The cycles are computed from NVIDIA, "CUDA C++ Programming Guide", table "Throughput of Native Arithmetic
+# Instructions", which has the lanes per cycle and multiprocessor. Capability 9.0 has 64 for double, integers,
+# comparisons, minima and selects, and 16 for special functions. Capability 3.5 has 64 for double, and 32 for special
+# functions and conversions. The latencies are from the same guide's section "Multiprocessor Level": about 11 cycles for
+# capability 3.x, 4 for 7.x and newer.
 HOPPER = {"double": 2, "half": 2, "special": 8}
 GPUS = {
-    # NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013. Assumes one instruction per cycle, not two.
+    # NVIDIA, "Tesla K40 GPU Active Accelerator", board specification, 2013. A quarter of a multiprocessor can issue two
+    # instructions per cycle, but the prediction assumes one.
     "K40": Gpu(15, 745e6, {"double": 2, "special": 4}, 11),
-    # NVIDIA, "NVIDIA H100 Tensor Core GPU", data sheet, 2023, SXM: 132 multiprocessors with 128 fused lanes make its 67
-    # TFLOP/s at 1.98 GHz. The same holds for the H200.
+    # NVIDIA, "NVIDIA H100 Tensor Core GPU", data sheet, 2023, SXM. The clock follows from its 67 TFLOP/s, for 132
+    # multiprocessors with 128 lanes of fused multiply-adds. The same holds for the H200.
     "H100": Gpu(132, 1.98e9, HOPPER, 4),
 }
 
 
 def code_sizes(cubin):
-    """Returns the instructions per function of an sm_35 cubin. An instruction is a word of 8 bytes; one word in eight
-    is for the scheduler."""
+    """Returns the number of instructions of each function of a cubin for sm_35. An instruction is a word of 8 bytes.
+    One word in eight is not an instruction, but information for the scheduler."""
     at, = struct.unpack_from("<Q", cubin, 40)
     entry, count, names = struct.unpack_from("<HHH", cubin, 58)
     sections = [struct.unpack_from("<IIQQQQ", cubin, at + i * entry) for i in range(count)]
@@ -66,8 +69,9 @@ def code_sizes(cubin):
 
 
 def expansion(operation, suffix):
-    """Returns the instructions of one division or square root on sm_35: of its inlined code or, if ptxas calls a
-    function, of a kernel's additional code for one."""
+    """Returns the number of instructions of a division or square root on sm_35. If ptxas inlines the operation, this is
+    the number of instructions that each further operation adds to a kernel. If ptxas calls a function, it is the number
+    that the first operation adds to a kernel."""
     def kernel(times):
         steps = "".join(f"{operation}.rn.{suffix} %a, {'%a, %b' if operation == 'div' else '%a'};\n" for _ in range(times))
         text = (f".version 3.1\n.target sm_35\n.address_size 64\n.visible .entry k(.param .u64 p) {{\n.reg .u64 %p;\n"
@@ -80,7 +84,7 @@ def expansion(operation, suffix):
 
 
 def marches(render, gpu):
-    """Returns the March of each kernel on the GPU, by backend, fractal, precision and mode."""
+    """Returns the March (machine_code.py) of each kernel on the GPU, by backend, fractal, precision and mode."""
     found = {}
     for backend, texts in (("openacc", k40.extract(render)), ("cuda", k40.extract_cuda(render))):
         for text in texts:
@@ -88,7 +92,7 @@ def marches(render, gpu):
                 with k40.assembled(text, k40.pinned("ptxas_13"), "sm_90", ["-c"]) as (cubin, _):
                     codes = machine_code.sass(k40.pinned("nvdisasm"), cubin)
             elif backend == "cuda":
-                continue  # nvcc's kernels are for newer GPUs
+                continue  # nvcc compiles kernels only for newer GPUs
             else:
                 weights = {(o, s): expansion(o, s) for o in ("div", "sqrt") for s in ("f32", "f64")}
                 codes = {name: machine_code.ptx(body, weights) for name, body in k40.kernels(text)}
@@ -99,7 +103,7 @@ def marches(render, gpu):
     return found
 
 
-# A count summed over a picture's pixels, and that of the longest ray.
+# A count: its sum over a picture's pixels, and its value for the longest ray.
 Counts = namedtuple("Counts", "total longest")
 
 
@@ -117,7 +121,8 @@ def drawn(render, fractal, precision, mode):
 
 
 def counted(pixels, march):
-    """Returns Counts of the pixels' steps and iterations; the longest ray is the one with the most instructions."""
+    """Returns the Counts of steps and of iterations. `pixels`: the steps and iterations of each pixel. The longest ray
+    is the ray that executes the most instructions."""
     steps, iterations = pixels
     longest = (march.step_instructions * steps + march.round_instructions * iterations).argmax()
     return tuple(Counts(int(values.sum()), int(values.flat[longest])) for values in pixels)
@@ -131,8 +136,8 @@ def active_lanes(counts, refills):
 
 
 def expected(gpu, march, steps, iterations, lanes):
-    """Returns the seconds of the march if no cycle is idle, and of the longest ray alone, whose warp waits for each
-    result."""
+    """Returns two times in seconds: that of the whole march if no cycle is idle, and that of the longest ray if its
+    warp waits for the result of each instruction."""
     cycles = march.step_cycles * steps.total / lanes[0] + march.round_cycles * iterations.total / lanes[1]
     alone = (march.step_instructions * steps.longest + march.round_instructions * iterations.longest) * gpu.latency
     return cycles / LANES / gpu.quarters() / gpu.clock, alone / gpu.clock

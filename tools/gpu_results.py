@@ -30,7 +30,7 @@ def text_of(*path):
 
 
 def unpack(archive, into):
-    """Returns the folder of results in the archive, unpacked below `into`."""
+    """Unpacks the archive below `into`. Returns the folder of the results."""
     try:
         with tarfile.open(archive) as tar:
             tar.extractall(into, filter="data")
@@ -43,14 +43,14 @@ def unpack(archive, into):
 
 
 def steps_of(folder):
-    """Returns the result, the seconds and the last output line of each step."""
+    """Returns, by step, its result, its seconds and its last output line."""
     return {found[1]: (found[2], int(found[3]), found[4]) for found in map(STEP.match, text_of(folder, "summary.txt").splitlines())
             if found}
 
 
 def expected_times(device):
-    """Returns the expected range in milliseconds by backend, fractal, precision and mode, for the GPU named in
-    `device`; an H200 has the H100's multiprocessors."""
+    """Returns, by backend, fractal, precision and mode, the range of the kernel time in milliseconds that is expected
+    on the GPU whose name is in `device`. An H200 has the H100's multiprocessors."""
     for gpu, names in {"k40": ("K40",), "h100": ("H100", "H200")}.items():
         if any(name in device for name in names):
             lines = map(str.split, text_of(EXPECTED, f"{gpu}_expected.txt").splitlines())
@@ -69,7 +69,7 @@ def rows_of(folder):
 
 
 def times(folder, device):
-    """Returns a line for each fractal, precision and mode: kernel milliseconds of each backend."""
+    """Returns a line for each fractal, precision and mode, with the kernel milliseconds of each backend."""
     expected = expected_times(device)
     lines = {}
     for row in rows_of(folder):
@@ -105,7 +105,7 @@ def page(folder, device, steps):
 
 
 def device_of(folder):
-    """Returns the GPU's name as nvidia-smi reports it, or else a backend."""
+    """Returns the GPU's name as nvidia-smi reports it or, if that is missing, as a backend reports it."""
     if found := re.search(r"Product Name\s*:\s*(.+)", text_of(folder, "nvidia-smi.txt")):
         return found[1].strip()
     for path in sorted(glob.glob(os.path.join(folder, "seen-*.json"))):
@@ -114,7 +114,7 @@ def device_of(folder):
 
 
 def free_folder(into, name):
-    """Returns INTO/NAME, with a number appended if that exists."""
+    """Returns a path that does not exist yet: INTO/NAME or, if that exists, INTO/NAME with a number appended."""
     for number in range(1, 1000):
         path = os.path.join(into, name if number == 1 else f"{name}-{number}")
         if not os.path.exists(path):
@@ -129,7 +129,7 @@ def main():
     arguments = parser.parse_args()
     if not os.path.isdir(arguments.into):
         fail(f"{arguments.into}: no such folder")
-    # Unpacks next to the target, then renames, so that the folder appears complete or not at all.
+    # Unpacks into a temporary folder and renames it, so that the new folder appears complete or not at all.
     with tempfile.TemporaryDirectory(dir=arguments.into, prefix=".gpu-results-") as temporary:
         folder = unpack(arguments.results, temporary)
         steps = steps_of(folder)

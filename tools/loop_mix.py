@@ -12,12 +12,12 @@ import sys
 
 from table_file import put
 
-REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # per pack: core/kernel/fractals and backends/openmp/packs/kernel.h
-# The official scene takes the shortest path around the loop that has this many of these instructions per register: the
-# sphere fold's reciprocal; the square roots of x^2 + y^2 and of x^2 + y^2 + z^2, and the cosines that the eighth power
-# doubles; the test whether the orbit has escaped.
+REGISTERS = {"mandelbox": 4, "mandelbulb": 3}  # per pack, as in core/kernel/fractals and backends/openmp/packs/kernel.h
+# Instructions per register by which the official scene's path around the loop is recognised: it is the shortest path
+# that has these. vrcp14 is the sphere fold's reciprocal. vrsqrt14 are the square roots of x^2 + y^2 and of x^2 + y^2 +
+# z^2. vfmsub are the doublings of cosines for the eighth power. vcmp is the escape test.
 MARKS = {"mandelbox": {"vrcp14": 1, "vcmp": 1}, "mandelbulb": {"vrsqrt14": 2, "vfmsub": 6, "vcmp": 1}}
-LONGEST = 400  # instructions of the path
+LONGEST = 400  # limit of the instructions in a path
 KINDS = (
     ("multiply-add", r"vfn?m(add|sub)"),
     ("sum", r"v(add|sub)p"),
@@ -32,7 +32,8 @@ PORTS = 2
 
 
 def instructions(path):
-    """Returns (address, text) of the code that marches in AVX-512 packs without counting, as in timed pictures."""
+    """Returns the instructions, as (address, text), of the code that marches in AVX-512 packs without counting work.
+    Timed pictures use this code."""
     done = subprocess.run(["objdump", "-d", "-C", "--no-show-raw-insn", path], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"loop_mix: {done.stderr.strip()}")
@@ -44,8 +45,8 @@ def instructions(path):
 
 
 def way_round(code, at, start, marks, longest):
-    """Returns the shortest path from instruction `start` back to it that contains all of `marks`; None if it has
-    `longest` or more instructions."""
+    """Returns the shortest path from the instruction `start` back to `start` that contains all of `marks`. Returns None
+    if each such path has `longest` or more instructions."""
     wanted = tuple(marks.values())
     first = (start, tuple(0 for _ in marks))
     before = {}
@@ -75,8 +76,8 @@ def way_round(code, at, start, marks, longest):
 
 
 def loop(code, marks):
-    """Returns the shortest path around any loop that contains all of `marks`. The estimators' loops have a masked
-    multiply-add, which keeps the values of ended lanes."""
+    """Returns the shortest path, around any of the estimators' loops, that contains all of `marks`. These loops are
+    recognised by a masked multiply-add, which keeps the values of lanes that have ended."""
     at = {address: i for i, (address, _) in enumerate(code)}
     starts = [i for i, (_, text) in enumerate(code) if re.match(r"vfn?m(add|sub)\w*\s.*\{%k", text)]
     if not starts:
@@ -91,7 +92,7 @@ def loop(code, marks):
 
 
 def mix(way):
-    """Returns the number of instructions by kind."""
+    """Returns, by kind, the number of instructions in the path `way`."""
     return {name: sum(re.match(pattern, text) is not None for text in way) for name, pattern in KINDS}
 
 

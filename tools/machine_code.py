@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds the loops of a march in NVIDIA's machine code or in PTX, and the cycles of a warp per loop iteration on a
-quarter of a multiprocessor, which issues one instruction of one warp per cycle."""
+"""Finds the loops of a march in NVIDIA's machine code or in PTX, and the cycles that a warp takes for an iteration of
+each loop. A warp runs on a quarter of a multiprocessor, which issues one instruction of one warp per cycle."""
 import re
 import subprocess
 from collections import namedtuple
 
-# label: name of a position in the code; the other fields are then empty. issue: instructions issued. pipe: unit that
-# executes it, or None. target: label of a possible jump. falls: the next instruction may follow. rare: leads to a slow
-# path that few values take.
+# An instruction, or a label of the code. label: the label's name; the other fields are then empty. issue: the number of
+# machine instructions that are issued. pipe: the unit that executes the instruction, or None. target: the label to
+# which it may jump. falls: true if the next instruction may follow. rare: true if it leads to a slow path that few
+# values take.
 Instruction = namedtuple("Instruction", "label name issue pipe target falls rare", defaults=("", "", 0, None, "", True, False))
 
 SASS_FUNCTION = re.compile(r"^\.text\.(\S+):$")
@@ -53,8 +54,8 @@ def sass(nvdisasm, cubin):
 
 
 def ptx(body, expansions):
-    """Returns the instructions of a PTX kernel's body, without copies. `expansions`: instructions per division and
-    square root."""
+    """Returns the instructions of a PTX kernel's body, except copies. `expansions`: the number of machine instructions
+    of each kind of division and square root."""
     code = []
     for line in body.splitlines():
         if found := PTX_LABEL.match(line):
@@ -72,7 +73,8 @@ def ptx(body, expansions):
 
 
 def blocks_of(code):
-    """Returns the basic blocks: their instructions, and the indices of the blocks that may follow each."""
+    """Returns two lists with an entry for each basic block: its instructions, and the indices of the blocks that may
+    follow it."""
     blocks, labels, current = [], {}, []
     for one in [*code, Instruction(label="end")]:
         if current and (one.label or current[-1].target or not current[-1].falls or current[-1].rare):
@@ -91,8 +93,8 @@ def blocks_of(code):
 
 
 def loops_of(following):
-    """Returns the natural loops: for each head the set of its blocks. Aho, Sethi and Ullman, "Compilers", 1986,
-    10.4."""
+    """Returns the natural loops (Aho, Sethi and Ullman, "Compilers", 1986, 10.4): for each loop's head, the set of the
+    loop's blocks. `following`: for each block, the blocks that may follow it."""
     before = [[] for _ in following]
     for i, after in enumerate(following):
         for j in after:
@@ -119,26 +121,26 @@ def loops_of(following):
 
 
 def cycles(instructions, cycles_of_pipe):
-    """Returns the cycles of a warp's instructions: those for issuing all or those of the busiest pipe, whichever are
-    more."""
+    """Returns the cycles that a warp's instructions take: the larger of the cycles in which they are issued and the
+    cycles of the busiest pipe."""
     busy = {}
     for one in instructions:
         busy[one.pipe] = busy.get(one.pipe, 0) + one.issue * cycles_of_pipe.get(one.pipe, 1)
     return max(sum(one.issue for one in instructions), *busy.values(), 0)
 
 
-# Cycles of an iteration of the estimator's loop and of the rest of a march step, the instructions of both, and whether
-# lanes take new rays before the last ray of their warp has ended.
+# Cycles and instructions of a march. The fields round_* are for an iteration of the estimator's loop, and step_* for
+# the rest of a step of the march. refills: true if lanes take new rays before the last ray of their warp has ended.
 March = namedtuple("March", "round_cycles step_cycles round_instructions step_instructions refills")
-LEAST_ARITHMETIC = 0.2  # fraction of a loop's instructions
+LEAST_ARITHMETIC = 0.2  # fraction of a loop's instructions that must be arithmetic
 ARITHMETIC = re.compile(r"[FD](ADD|MUL|FMA)$|(add|sub|mul|fma|div|sqrt)\..*f(32|64)$")
 
 
 def march_of(code, cycles_of_pipe, loops_outside=0):
-    """Returns the cycles and instructions of a march's code. The estimator's loop is the shortest innermost loop that
-    contains arithmetic and lies within another loop; for the Mandelbulb, it is the loop for integer powers. The march's
-    loop is the smallest one around it, with all paths but slow ones. `loops_outside`: number of loops that every kernel
-    has around the march of a pixel; if there are more, lanes refill."""
+    """Returns the March of a kernel's code. The estimator's loop is the shortest innermost loop that contains
+    arithmetic and lies within another loop. For the Mandelbulb, it is the loop for integer powers. The march's loop is
+    the smallest loop around the estimator's; all its paths but slow ones count. `loops_outside`: the number of loops
+    that every kernel has around the march of a pixel. If there are more, lanes refill."""
     blocks, following = blocks_of(code)
     loops = loops_of(following)
 

@@ -41,7 +41,7 @@ def read_path(name):
 
 
 def line_of(path):
-    """Returns the text of a path file, one line per frame, as flythrough writes it."""
+    """Returns the text of a path file, with a line for each frame, as flythrough writes it."""
     head = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in path.items() if key != "frames"]
     frames = ",\n".join(json.dumps(frame) for frame in path["frames"])
     return "{\n" + ",\n".join(head) + ',\n"frames": [\n' + frames + "\n]\n}\n"
@@ -71,7 +71,8 @@ def table_of(path):
 
 
 def rows_of(name):
-    """Returns the table's lines that are not empty, as (number, fields). Decimal commas become points."""
+    """Returns those lines of a table that are not empty, as (number of the line, fields). Decimal commas become
+    points."""
     try:
         with open(name, "rb") as file:
             data = file.read()

@@ -21,7 +21,7 @@ ROOT = os.path.join(HERE, "..")
 
 
 class Entry:
-    """One line of the list. `minutes`: estimated time of all runs."""
+    """A line of tools/results.txt. `minutes`: the estimated time of all runs of its command."""
 
     def __init__(self, line, number):
         words = shlex.split(line)
@@ -36,8 +36,8 @@ class Entry:
             sys.exit(fail(f"results.txt:{number}: {error}, expected a file, minutes, runs and a command", 2))
 
     def measure(self, programs, target):
-        """Runs the command; writes the file completely or not at all. Returns its exit code, or 1 for uncommitted
-        sources."""
+        """Runs the command, which writes the file `target` completely or not at all. Returns 0 for success, otherwise
+        the command's exit code, or another code if the result is missing or was measured with uncommitted sources."""
         part = target + ".part" + os.path.splitext(target)[1]
         program = os.path.join(ROOT if "/" in self.command[0] else programs, self.command[0])
         command = [program, *(part if word == "{}" else word.replace("{folder}", os.path.dirname(target))
@@ -60,8 +60,10 @@ STOPS = {signal.SIGINT, signal.SIGTERM}
 
 
 def code_of(command, output, variables):
-    """Runs a command. If this program is stopped, stops the command and all its descendants, too."""
-    signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)  # until `process` is set, so that the handler can stop it
+    """Runs a command and returns its exit code. If this program is stopped, also stops the command and all processes
+    that the command started."""
+    # Blocks signals until `process` is set, because the handler needs it to stop the command.
+    signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
     with subprocess.Popen(command, stdout=output, env=os.environ | variables, start_new_session=True,
                           preexec_fn=lambda: signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)) as process:
         try:
@@ -93,8 +95,8 @@ def git(sources, *arguments):
 
 
 def clean_revision(sources, program):
-    """Returns the revision of the sources if they are committed and `program` was built from them; else prints a line
-    and returns None."""
+    """Returns the revision of the sources if they are committed and `program` was built from them. Otherwise prints a
+    line and returns None."""
     revision = git(sources, "rev-parse", "HEAD")
     if not revision or git(sources, "status", "--porcelain", "--untracked-files=no", "--", ".", ":(exclude)report/results"):
         fail("the sources differ from the revision: commit first, as one result after the other must be of the same sources")

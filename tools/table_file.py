@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prints the output of a tool, and writes it to a file completely or not at all."""
+"""Functions that print a tool's output, and write it to a file completely or not at all."""
 import os
 import sys
 
 
 def put_file(text, path):
-    """Writes text to a file, which keeps its old content until the new one is complete."""
+    """Writes text to a file. The file keeps its old content until the new content is complete."""
     try:
         with open(path + ".part", "w", encoding="utf-8") as file:
             file.write(text)

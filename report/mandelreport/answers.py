@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Answers on the front page. Each method of Answers returns the values for its sentences, or None without data."""
+"""Answers on the front page. Each public method of Answers returns the values for the sentences of one answer, or None
+if there is no data for it."""
 
 from __future__ import annotations
 
@@ -18,16 +19,16 @@ FILM_SIZE = (1920, 1080)  # pixels
 
 
 def counted(bench: Bench, fractal: str, precision: str, what: str) -> Number:
-    """Returns a number of the official scene's operation count in exact mode."""
+    """Returns the number `what` from the operation counts of a fractal's official scene in exact mode."""
     kinds = [(c["fractal"], c["precision"], c["mode"], c["setting"]["view"]) for c in bench.data["counts"]]
     return Number.at(bench.name, bench.data, f"/counts/{kinds.index((fractal, precision, 'exact', 'official'))}/{what}")
 
 
-# Factors of a picture's operations. DE evaluations and iterations are the configuration's own counts, over all pixels;
-# operations per iteration were counted in a sample of them.
+# A picture's operations are the product of its DE evaluations, its iterations per evaluation, and its operations per
+# iteration. The first two were counted over all pixels of the configuration, the third in a sample of its pixels.
 def factors(bench: Bench, box: Row, bulb: Row) -> dict[str, Markup]:
-    """Returns the ratios of two configurations' operations, factor by factor, for pictures of the same size, and
-    `work`, the product of these ratios."""
+    """Returns each factor of the picture `box` divided by that of the picture `bulb`, of the same size, and `work`, the
+    product of these ratios."""
 
     def over(what: str, base: str = "") -> Number:
         of = [Number.of_row(bench, row, what) / Number.of_row(bench, row, base) if base else Number.of_row(bench, row, what) for row in (box, bulb)]
@@ -42,7 +43,7 @@ def factors(bench: Bench, box: Row, bulb: Row) -> dict[str, Markup]:
 
 
 def named(text: str) -> Markup:
-    """Formats a name, whose digits are not a result."""
+    """Formats a name that contains digits. The markup shows that they are not a result."""
     return Markup('<span class="name">{}</span>').format(text)
 
 
@@ -51,14 +52,15 @@ def _count(rows: list[tuple[Bench, Row]]) -> Markup:
 
 
 class Answers:
-    """`primary`: the standard study with the most backends and, among these, the most runs."""
+    """`primary`: the standard study with the most backends and, of several such studies, the one with the most runs."""
 
     def __init__(self, results: Results, backends: Backends):
         self.results, self.backends = results, backends
         self.primary = results.primary()
 
     def same(self) -> dict[str, Any] | None:
-        """Counts exact pictures with the same bits, and measures the error of fast ones."""
+        """Returns the number of exact pictures with the same bits, and the largest percentage of pixels that are off in
+        a fast picture."""
         if self.primary is None:
             return None
         every = [
@@ -90,8 +92,8 @@ class Answers:
         return self.results.times(self.primary.name, self.primary.ratio_at(question, numerator))
 
     def fastest(self) -> dict[str, Any] | None:
-        """Names the fastest backend on the primary machine, with the range of the next best backend's relative
-        times."""
+        """Returns the host, the machines on which the host is the fastest backend, and the range of the next best
+        backend's times, relative to the host's, in the primary study."""
         others = self.primary.ratios("others_to_host") if self.primary else []
         if self.primary is None or not others:
             return None
@@ -112,8 +114,8 @@ class Answers:
         }
 
     def _slower(self, bench: Bench) -> list[str]:
-        """Returns the places of the verdicts by which other backends are slower than the host. Leaves out cases in
-        which another backend is the fastest."""
+        """Returns the place of each verdict that a backend is slower than the host. Includes only cases (fractal,
+        precision, mode) in which the host is the fastest backend."""
         return [
             f"{bench.name}#/winners/{at}/rivals/{k}/verdict"
             for at, (contest, fastest) in enumerate(zip(bench.data["winners"], bench.fastest()))
@@ -131,12 +133,13 @@ class Answers:
         }
 
     def cost(self) -> dict[str, Any] | None:
-        """Compares the models that compile the scalar kernel unchanged with openmp's scalar kernel."""
+        """Returns the cost of each programming model that compiles the scalar kernel unchanged, relative to openmp's
+        scalar kernel."""
         return Costs(self.primary, self.backends).answer(self.results) if self.primary else None
 
     def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> tuple[Bench, Row] | None:
-        """Returns the host's fastest configuration with this speed-up, from the study with the most runs, standard
-        studies first."""
+        """Returns the host's configuration with the highest value of the speed-up `key`. Prefers the primary study,
+        then standard studies, then studies with more runs."""
         rows = [
             (bench, row)
             for bench in self.results.benches
@@ -148,9 +151,9 @@ class Answers:
         return rows[order.index(max(order))] if rows else None
 
     def speed_ups(self) -> dict[str, Any] | None:
-        """Returns the host's figures in float by mode, exact first: speed-ups over the serial reference and over the
-        scalar kernel on the same threads, and the scalar kernel's operations divided by the host's; one number per
-        fractal."""
+        """Returns the host's figures in float, by mode, exact first. Each mode has three lists with a number per
+        fractal: the speed-up over the serial reference, the speed-up over the scalar kernel on the same threads, and
+        the scalar kernel's operations divided by the host's."""
         modes = {mode: found for mode in ("exact", "fast") if (found := self._speed_ups_of(mode))}
         return {"modes": modes, "host": self.backends.host, "size": self.primary.size} if self.primary and "exact" in modes else None
 
@@ -174,8 +177,8 @@ class Answers:
         }
 
     def box_or_bulb(self) -> dict[str, Any] | None:
-        """Returns how much longer the Mandelbox takes, with the counted factors of its operations, in double and exact
-        mode."""
+        """Returns the Mandelbox's times divided by the Mandelbulb's and, for double in exact mode, the counted factors
+        of their operations."""
         kinds = [("double", "exact"), ("float", "fast")]
         ratios = [self._found("mandelbox_to_mandelbulb", f"mandelbox/{p}/{m}/{self.backends.host}/0") for p, m in kinds]
         if self.primary is None or None in ratios:
@@ -194,7 +197,8 @@ class Answers:
         return self.primary.ratio(question, numerator) if self.primary else None
 
     def float_or_double(self) -> dict[str, Any] | None:
-        """Returns the cost of double on the host, and the error of float in pictures of random scenes."""
+        """Returns the ratio of the host's times in double and in float, and float's error in pictures of random
+        scenes."""
         ratios = {
             mode: [self._found("double_to_float", f"{f}/double/{mode}/{self.backends.host}/0") for f in FRACTALS]
             for mode in ("exact", "fast")
@@ -218,7 +222,8 @@ class Answers:
         }
 
     def gpu(self) -> dict[str, Any] | None:
-        """Compares a measured GPU, or the prediction for one, with the host, both at the film's size."""
+        """Returns the time of the fastest measured GPU or, if none was measured, the predicted times of the K40 and the
+        host's times, all at the film's size."""
         measured = [(b, r) for b in self.results.benches for r in b.rows if r.timed and r.is_gpu]
         if measured:
             bench, row = max(measured, key=lambda one: one[1].figures["pixels_per_second"])
@@ -269,7 +274,7 @@ MARGIN = 1.02  # as in bench compare
 
 
 def verdict(ratio: dict[str, Any] | None) -> Markup:
-    """Describes a ratio of times: slower, faster, the same within the margin, or undecided."""
+    """Returns a word for a ratio of times: slower, faster, the same within the margin, or undecided."""
     interval = ratio["ratio"]["interval"] if ratio else None
     if interval is None:
         return Markup("undecided")

@@ -10,8 +10,9 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Backends:
-    """The order of `names` is that of text and figures, and gives each backend's series number. The reference, which
-    does not use the kernel, is last. Old results have no roles: their names are used."""
+    """`names`: in the order of text and figures; the index is the backend's series number. The reference, which does
+    not use the kernel, is last. `reference`, `host`: the backends with these roles; the defaults are for old results,
+    which have no roles."""
 
     names: tuple[str, ...] = ()
     reference: str = "reference"
@@ -31,6 +32,6 @@ class Backends:
         return self.names.index(backend) if backend in self.names else len(self.names)
 
     def order(self, labels: Iterable[str]) -> list[str]:
-        """Returns each label once, in order. A label starts with its backend; "-scalar" or a device's number may
-        follow."""
+        """Returns each label once, in the order of the backends. A label starts with its backend; "-scalar" or a
+        device's number may follow."""
         return sorted(dict.fromkeys(labels), key=lambda label: (self.number_of(label.split()[0].removesuffix("-scalar")), label))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file of bench: the part of bench/schemas/result.schema.json that the report and tools/figures.py use, with
-names and units. Needs no package."""
+"""A result file of bench: names and units for the part of bench/schemas/result.schema.json that the report and
+tools/figures.py use. Needs only Python's standard library."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SCALAR = "simd-width=1"  # sweep value of the scalar kernel's rows
 
 @dataclass(frozen=True)
 class Times:
-    """Seconds, or a ratio of them: the median and its 95 % interval, which is None below six samples."""
+    """The median of seconds or of ratios of times, and its 95 % interval, which is None for fewer than six samples."""
 
     median: float
     interval: list[float] | None
@@ -30,7 +30,7 @@ class Times:
         return Times(1 / self.median, self.interval and [1 / end for end in self.interval[::-1]], self.count)
 
     def errors(self) -> tuple[float, float]:
-        """Returns the lengths of an error bar downwards and upwards; 0 without an interval."""
+        """Returns the lengths of an error bar downwards and upwards; both are 0 if there is no interval."""
         low, high = self.interval or (self.median, self.median)
         return (max(0.0, self.median - low), max(0.0, high - self.median))
 
@@ -42,7 +42,7 @@ class Row:
     data: dict[str, Any]
 
     def __getattr__(self, name: str) -> Any:
-        if name == "data":  # while a copy is being made
+        if name == "data":  # not set yet while a copy is being made
             raise AttributeError(name)
         try:
             return self.data[name]
@@ -83,12 +83,12 @@ class Row:
 
 @dataclass(frozen=True)
 class Bench:
-    """A result file. `name`: path below the results, for display."""
+    """A result file. `name`: its path, relative to the folder of results, for display."""
 
     name: str
     path: Path
     data: dict[str, Any]
-    number: int = 0  # of its machine, from 1, if several machines share a name
+    number: int = 0  # number of its machine, from 1; 0 if no other machine has this machine's name
 
     @property
     def study(self) -> str:
@@ -100,7 +100,8 @@ class Bench:
 
     @functools.cached_property
     def rows(self) -> list[Row]:
-        """Returns the rows without the standard study's scalar kernel, whose times appear as over_scalar."""
+        """Returns all rows but those of the standard study's scalar kernel. The other rows have their speed-up over it
+        as over_scalar."""
         return [row for row in self.all_rows if row.application == row.backend]
 
     def timed(self, **wanted: str) -> list[Row]:
@@ -113,14 +114,15 @@ class Bench:
 
     @property
     def machine(self) -> str:
-        """Returns the processor, its usable cores, and the GPUs of the rows. Old results lack family and model."""
+        """Returns the processor, the number of usable cores, and the GPUs of the rows. Old results lack `platform`; for
+        them the processor is the CPU's model."""
         cpu = self.environment["cpu"]
         gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
         which = [f"machine {self.number}"] if self.number else []
         return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus, *which])
 
     def same_machine(self, other: Bench) -> bool:
-        """Returns true if two results that name the same machine are from one machine, by the rule of
+        """Returns true if two results whose machines have the same name are from one machine, by the rule of
         bench/judge/platforms.h."""
         mine, others = (bench.environment["cpu"] for bench in (self, other))
         known = [key for key in ("stepping", "flags", "caches", "cores_usable") if mine.get(key) is not None and others.get(key) is not None]
@@ -142,7 +144,7 @@ class Bench:
         return ", ".join(dict.fromkeys("{} x {}".format(*row.size) for row in self.rows if row.timed))
 
     def rank(self) -> tuple[int, int]:
-        """Returns the number of timed backends, and of runs."""
+        """Returns the number of timed backends and the number of runs."""
         return len(self.values("backend")), self.data["runs"]
 
     def ratios(self, question: str) -> list[dict[str, Any]]:
@@ -151,7 +153,7 @@ class Bench:
         return [entry for entry in self.data["questions"][question] if entry["ratio"]["count"]]
 
     def ratio(self, question: str, numerator: str) -> dict[str, Any] | None:
-        """Returns the ratio of the row `numerator`, or None if there is none."""
+        """Returns the ratio whose numerator is the row named `numerator`, or None if the question has no such ratio."""
         return next((entry for entry in self.ratios(question) if entry["numerator"] == numerator), None)
 
     def named(self, name: str) -> Row:
@@ -162,12 +164,12 @@ class Bench:
         return f"/rows/{[other.name for other in self.all_rows].index(row.name)}{more}"
 
     def ratio_at(self, question: str, numerator: str) -> str:
-        """Returns the JSON pointer of a ratio."""
+        """Returns the JSON pointer of the ratio whose numerator is the row named `numerator`."""
         index = [entry["numerator"] for entry in self.data["questions"][question]].index(numerator)
         return f"/questions/{question}/{index}/ratio"
 
     def scalar(self, row: Row, host: str) -> Row | None:
-        """Returns the scalar kernel's row for a row's fractal, precision and mode."""
+        """Returns the scalar kernel's timed row with the fractal, precision and mode of `row`, or None."""
         rows = (r for r in self.all_rows if r.backend == host and r.sweep_value == SCALAR)
         return next((r for r in rows if r.timed and r.kind == row.kind), None)
 
@@ -177,7 +179,7 @@ class Bench:
         return row.operations / scalar.operations if scalar is not None and scalar.operations and row.operations else None
 
     def compared(self, question: str, row: Row) -> Times | None:
-        """Returns the ratio of a row that answers a question, or None if there is none."""
+        """Returns the ratio whose numerator is `row`, or None if the question has no such ratio."""
         entry = self.ratio(question, row.name)
         return Times.of(entry["ratio"]) if entry else None
 

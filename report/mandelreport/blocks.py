@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contents of a section: figures, tables, and notes for missing data. The templates' macro `show` prints each."""
+"""Contents of a section: figures, tables, and notes for missing data. The templates' macro `show` prints them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def data_uri(kind: str, data: bytes) -> str:
 
 @dataclass(frozen=True)
 class Figure:
-    """`source`: a data URI; `alt`: description for readers who cannot see it; `see`: what to notice in it."""
+    """`source`: a data URI; `alt`: a description for readers who cannot see the figure; `see`: what to notice in it."""
 
     source: str
     alt: str
@@ -26,7 +26,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Table:
-    """`numbers`: the right-aligned columns."""
+    """`numbers`: the indices of the columns that are right-aligned."""
 
     headers: Sequence[str]
     rows: Sequence[Sequence[str]]

@@ -37,7 +37,7 @@ OPTIONS = [
 
 
 class Browser:
-    """One page. `events`: all events from the browser, in order."""
+    """A running browser with one page. `events`: all events that the browser sent, in order."""
 
     def __init__(self, *options: str):
         program = next((found for name in NAMES if (found := shutil.which(name))), None)
@@ -60,7 +60,7 @@ class Browser:
             raise
 
     def _address(self) -> str:
-        """Waits for the page's socket and returns its address."""
+        """Waits until the page can be controlled, and returns the address of its WebSocket."""
         port_file = Path(self.folder) / "DevToolsActivePort"
         end = time.monotonic() + START_SECONDS
         while time.monotonic() < end:
@@ -110,7 +110,7 @@ class Browser:
         self.wait("document.readyState === 'complete'", 120)
 
     def run(self, expression: str) -> Any:
-        """Returns the value of a JavaScript expression; waits for promises."""
+        """Returns the value of a JavaScript expression. If it is a promise, waits for the promise's value."""
         answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         if "exceptionDetails" in answer:
             details = answer["exceptionDetails"]
@@ -145,7 +145,7 @@ class Browser:
         return base64.b64decode(answer["data"])
 
     def problems(self) -> list[str]:
-        """Returns errors of scripts and of the console, and requests other than for this page or its data."""
+        """Returns errors of scripts, errors on the console, and requests for anything but files and data URIs."""
         found = []
         for event in self.events:
             what, about = event.get("method"), event.get("params", {})
@@ -164,9 +164,9 @@ class Browser:
 
 
 def print_page(page: Path) -> bytes:
-    """Returns the page as PDF. Chromium supports its figures, grids and @page rules with margins and page numbers."""
+    """Returns the page as PDF."""
     with Browser() as browser:
         browser.open(page)
-        # Decode all pictures, including those that are not visible.
+        # Decodes all pictures first, including those that are not visible.
         browser.run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
         return browser.pdf()

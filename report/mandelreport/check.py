@@ -27,7 +27,7 @@ SECTIONS = 1 + len(MAIN) + len(APPENDIX)
 VIEWER_SECONDS = 300  # per picture, on a processor
 SIZE = (320, 180)  # pixels of the viewer's picture
 MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # fraction of pixels that may differ visibly from bin/render's
-# Additional parameters: by fractal, the values of sliders.
+# Unusual scenes to check, by fractal. Each scene sets sliders, by name.
 ODD: dict[str, list[dict[str, float]]] = {
     "mandelbulb": [{"shape.2": 3}, {"shape.2": 2.5}, {"shape.2": 8.5}],
     "mandelbox": [{"shape.0": -1.5}],
@@ -67,7 +67,8 @@ class Checker:
         self.browser.size(*DESKTOP)
 
     def paper(self) -> None:
-        """Checks that nothing overflows on paper, which would shrink all pages, and that the main part is short."""
+        """Checks that nothing overflows on paper, and that the main part is short. If anything overflows, the browser
+        shrinks all pages."""
         run, call = self.browser.run, self.browser.call
         call("Emulation.setEmulatedMedia", media="print")
         self.browser.size(PAPER, 1000)
@@ -97,7 +98,7 @@ class Checker:
         self.expect(" differ" in said or "same bytes" in said, f"the slider's difference: {said}")
         run("document.querySelector('.compare').scrollIntoView()")
         self.shot("slider")
-        # The first pictures of a scene have the same bytes if all backends agree.
+        # Selects for the right side the picture that is on the left side.
         run("""(() => { const right = document.querySelector('.compare [data-side=right]');
                         right.selectedIndex = 0; right.dispatchEvent(new Event('change')); })()""")
         same = self.browser.wait("document.querySelector('.compare .said').textContent === 'The same bytes.'", 30)
@@ -149,7 +150,7 @@ class Checker:
             print(f"{render} is missing: the viewer's picture is not compared")
             return
         drawn = self.pictures / f"{name}-render.png"
-        # The viewer makes no trial render.
+        # The viewer renders no trial. Therefore bin/render must not render one either.
         command = [render, "--fractal", fractal, dat, "--precision", "float", "--mode", mode, "--without", "trial"]
         printed = subprocess.run([*command, "--print-scene"], capture_output=True, text=True, check=False)
         if printed.returncode == 0:
@@ -174,7 +175,7 @@ class Checker:
             )
 
     def _fly(self) -> None:
-        """Checks that keys move the camera, a drag turns it, and a parameter file is read back."""
+        """Checks that keys move the camera, that a drag turns it, and that the page reads an edited parameter file."""
         run = self.browser.run
         run("document.getElementById('viewer-canvas').focus()")
         before = run("JSON.stringify(Viewer.camera())")

@@ -23,7 +23,7 @@ LARGEST = 20 * 2**20  # bytes of the page
 
 @dataclass
 class Picture:
-    """A picture, stored once for all with the same bytes. `rows`: rows of the table with this picture."""
+    """A picture, stored once for all rows whose pictures have the same bytes. `rows`: these rows of the table."""
 
     name: str  # in the page
     source: str
@@ -57,8 +57,8 @@ def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
 
 
 def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Returns the times of each precision and mode as fractions of the longest; the reference's times are too long for
-    bars."""
+    """Returns the times of each precision and mode as percentages of the longest time of all. Leaves out the reference,
+    whose times are too long for bars."""
     timed = [row for row in rows if row["drawn"] and row["fine"] and row["backend"] != "reference"]
     longest = max((row["wall_seconds"] for row in timed), default=1.0)
     kinds = dict.fromkeys((row["precision"], row["mode"]) for row in timed)
@@ -97,7 +97,7 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def live(programs: Path, work: Path) -> dict[str, Any]:
-    """Returns the viewer's values, or the reason why there is no viewer."""
+    """Returns the values for the viewer's template, or the reason why the page has no viewer."""
     absent = viewer.missing_tools()
     if absent:
         return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is missing", "make demo")}

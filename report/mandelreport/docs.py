@@ -14,7 +14,7 @@ from .pictures import ROOT
 
 def _html(text: str) -> Markup:
     html = markdown.markdown(text, extensions=["tables", "sane_lists"], output_format="html")
-    # The page lacks the files that the documentation links to.
+    # Replaces links to files by their text, because the page does not include these files.
     return Markup(re.sub(r'<a href="(?!https?:)[^"]*">(.*?)</a>', r"\1", html, flags=re.S))
 
 
@@ -30,5 +30,5 @@ def chapter(file: str, title: str) -> Markup:
     found = re.search(rf"^(#+) {re.escape(title)}\n(.*?)(?=^#{{1,2}} |\Z)", _read(file), re.M | re.S)
     if not found:
         raise InputError(f"{file}: the heading '{title}', which the report quotes, is missing")
-    # Lines of capitals alone are placeholders for later changes.
+    # Removes lines that have only capitals: placeholders for later changes.
     return _html(re.sub(r"^[A-Z_]+$", "", found[2], flags=re.M))

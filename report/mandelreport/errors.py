@@ -26,7 +26,7 @@ def run_program(program: str, main: Callable[[], int]) -> NoReturn:
 
 
 def write_whole(path: Path, data: bytes) -> None:
-    """Writes next to the target and renames, so that readers never see a partial file."""
+    """Writes a new file next to `path` and renames it to `path`, so that readers never see a partial file."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(path.name + ".part")
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Result files of a folder, each read once. Needs no package."""
+"""Result files of a folder, each read once. Needs only Python's standard library."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from .errors import InputError
 
 
 class Files:
-    """`read`: the content of each file that was read, by its path below the folder. Throws InputError with one line."""
+    """`read`: the content of each file read so far, by the file's path relative to the folder. If a file cannot be read
+    or parsed, its method raises InputError with one line."""
 
     def __init__(self, folder: Path):
         self.folder = folder
@@ -30,7 +31,7 @@ class Files:
         return self.read[name]
 
     def json(self, name: str) -> Any:
-        """`name`: without .json."""
+        """Returns the content of the file `name`.json."""
         file = f"{name}.json"
         if file not in self.read:
             try:

@@ -14,7 +14,8 @@ SERIES = ("x", "y", "z", "clearance", "turn")
 
 @dataclass(frozen=True)
 class FlightMap:
-    """Balls and gates as (x, y, z, clearance); series have one value per frame; turns are in degrees."""
+    """A map of a flight. `data` has balls and gates as (x, y, z, clearance), and series with one value per frame, in
+    which turns are in degrees."""
 
     name: str
     data: dict[str, Any]
@@ -25,7 +26,7 @@ class FlightMap:
 
     @property
     def hull(self) -> float:
-        """Returns half the cube's edge, or the sphere's radius."""
+        """Returns the size of the hull: half the cube's edge, or the sphere's radius."""
         return self.data["hull"]["size"]
 
     def series(self, key: str) -> list[float]:
@@ -33,13 +34,14 @@ class FlightMap:
 
     @property
     def seconds(self) -> list[float]:
-        """Returns the time of each frame."""
+        """Returns the time of each frame, from the start of the flight."""
         return [i / self.data["frames_per_second"] for i in range(len(self.data["x"]))]
 
 
 @dataclass(frozen=True)
 class Film:
-    """`seconds`: time to render `rendered` frames; `device`: as named by flythrough, or the backend's line of a log."""
+    """A rendered film. `seconds`: the time to render `rendered` frames; `device`: the name that flythrough's summary
+    gives or, for a log, its line about the backend."""
 
     name: str
     fractal: str
@@ -82,7 +84,7 @@ def read_film(name: str, data: dict[str, Any]) -> Film:
 
 
 def film_of_log(name: str, text: str) -> Film | None:
-    """Returns the film described by a log of flythrough's stderr, or None if the log ends before the film is
+    """Returns the film that a log of flythrough's stderr describes, or None if the log ends before the film is
     complete."""
     done = re.search(r"^film: (\d+) of (\d+) segments rendered in ([\d.]+) s by (\d+) process", text, re.M)
     frames = re.search(r"^(\w+), seed \d+, (\d+) frames", text, re.M)

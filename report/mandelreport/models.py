@@ -21,7 +21,7 @@ SAME_WORK = 1e-3  # in fast mode the last digits of counts differ
 
 
 def one_thread(row: Row) -> bool:
-    """Returns true if a backend leaves the host's other cores idle."""
+    """Returns true if the row's backend runs on one thread of the host and leaves its other cores idle."""
     return row.threads == 1 and not row.is_gpu and row.backend not in DRIVERS
 
 
@@ -37,13 +37,13 @@ def work_over(bench: Bench, name: str, over: str) -> Markup:
 
 
 def with_scalar(bench: Bench, reference: str) -> list[Row]:
-    """Returns all timed rows except the reference's, including the scalar kernel's, which Bench.rows leaves out."""
+    """Returns all timed rows except the reference's. Unlike Bench.rows, includes the scalar kernel's rows."""
     return [row for row in bench.all_rows if row.timed and row.backend != reference]
 
 
 def ranked(rows: list[Row]) -> list[str]:
-    """Returns the labels of rows, fastest first: by the mean logarithm of the kernel time over fractals, precisions and
-    modes."""
+    """Returns the labels of rows, fastest first. For each fractal, precision and mode, the kernel time is divided by
+    that of the fastest row. The order is that of the geometric mean of these ratios."""
     best: dict[tuple[str, ...], float] = {}
     for row in rows:
         best[row.kind] = min(best.get(row.kind, math.inf), row.kernel.median)
@@ -54,12 +54,13 @@ def ranked(rows: list[Row]) -> list[str]:
 
 
 class Costs:
-    """`speeds`: for each backend, the rows that do the scalar kernel's work without explicit SIMD, and their speeds per
-    thread, relative to the scalar kernel."""
+    """`speeds`: by backend, the rows that do the same work as the scalar kernel without explicit SIMD, with their
+    speeds per thread, relative to the scalar kernel's."""
 
     def __init__(self, bench: Bench, backends: Backends):
         self.bench, self.host = bench, backends.host
-        self.speeds: dict[str, list[tuple[float, float, Row]]] = {}  # speed, scalar kernel's threads / row's, row
+        # Each tuple: speed, the scalar kernel's threads divided by the row's, row.
+        self.speeds: dict[str, list[tuple[float, float, Row]]] = {}
         for row in bench.rows:
             work = bench.work_over_scalar(row, self.host) if row.timed else None
             if work is None or abs(work - 1) > SAME_WORK or row.simd_width != 1 or row.backend in (self.host, *DRIVERS):
@@ -75,8 +76,8 @@ class Costs:
         return results.with_interval(self.bench.name, at, f"{at}_interval", scale=threads)
 
     def answer(self, results: Results) -> dict[str, Any] | None:
-        """Returns the slowest and fastest case of each model; models on all of the scalar kernel's threads come before
-        those on one."""
+        """Returns the slowest and the fastest case of each model. Models that run on as many threads as the scalar
+        kernel come before models that run on one thread."""
         groups: dict[str, list[dict[str, Any]]] = {}
         for backend, speeds in sorted(self.speeds.items(), key=lambda item: item[1][0][1]):
             words = "on one thread, speed per thread" if speeds[0][1] > 1 else "On as many threads"

@@ -26,7 +26,7 @@ LONGEST = 200  # characters of a source that the page shows
 
 
 def found(data: Any, pointer: str) -> Any:
-    """Returns the value at a pointer of a file's content."""
+    """Returns the value at `pointer` in `data`, a file's content: text, or a value read from JSON."""
     if isinstance(data, str):
         line, word = map(int, pointer.split("/")[1:])
         return float(data.splitlines()[line].split()[word].rstrip("%"))
@@ -42,7 +42,7 @@ class Number:
 
     @staticmethod
     def at(file: str, data: Any, pointer: str) -> Number:
-        """Returns the number at a pointer of a file with this content."""
+        """Returns the number at `pointer` in `data`, the content of `file`."""
         value = found(data, pointer)
         if not isinstance(value, (int, float)):
             raise InputError(f"{file}: {pointer} is {value}, expected a number")

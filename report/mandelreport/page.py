@@ -9,7 +9,8 @@ from typing import Any
 from . import sections, viewer
 from .sections import Material, front
 
-# Name (of the module, the template and the anchor) and title. The front page comes before both lists.
+# Sections of the main part. A section has a name, which is that of its module, template and anchor, and a title. The
+# front page comes before the sections.
 MAIN = [
     ("method", "Subject and method of measurement"),
     ("same", "The same picture on every backend"),
@@ -43,18 +44,18 @@ def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[st
 
 
 def front_page(material: Material) -> str:
-    """Returns the front page alone."""
+    """Returns only the front page."""
     return viewer.environment().get_template("front.html.j2").render(s=front.section(material))
 
 
 def sections_of(material: Material, names: list[str]) -> str:
-    """Returns these sections of the main part alone."""
+    """Returns only the sections `names` of the main part."""
     contents = _contents(material, [entry for entry in MAIN if entry[0] in names])
     return "".join(viewer.environment().get_template(f"{name}.html.j2").render(s=of) for name, _, of in contents)
 
 
 def render(material: Material) -> str:
-    """Returns the whole page, reproducibly for the same results and programs."""
+    """Returns the whole page. The same results and programs give the same page."""
     return viewer.environment().get_template("page.html.j2").render(
         front=front.section(material),
         main=_contents(material, MAIN),

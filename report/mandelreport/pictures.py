@@ -37,7 +37,8 @@ class Key:
 
 @dataclass(frozen=True)
 class Picture:
-    """`drawn`: a PNG; `values`: the EXR of an exact picture, for imgdiff's comparison of all bits of colour and depth."""
+    """A rendered picture. `drawn`: its PNG file; `values`: if it is exact, its EXR file, in which imgdiff can compare
+    all bits of colour and depth."""
 
     key: Key
     device: str
@@ -66,7 +67,8 @@ class Cache:
         return self.folder / (digest + ending)
 
     def value(self, make: Any, *parts: object) -> Any:
-        """Returns the result of `make()` for these parts, stored as JSON."""
+        """Returns the result of make(), which depends only on `parts`. Calls make() only if no result is stored for
+        these parts, and stores the result as JSON."""
         path = self.path(".json", *parts)
         if not path.exists():
             write_whole(path, json.dumps(make()).encode())
@@ -74,7 +76,8 @@ class Cache:
 
 
 class Studio:
-    """Renders with bin/render. `reasons`: why a backend has no picture; `failures`: those caused by its device."""
+    """Renders pictures with bin/render. `reasons`: for each picture that is missing, the reason; `failures`: the subset
+    for which bin/render failed, other than because the backend or device is unavailable."""
 
     def __init__(self, programs: Path, cache: Cache):
         self.render = programs / "render"
@@ -98,7 +101,8 @@ class Studio:
 
     @functools.cached_property
     def fractals(self) -> dict[str, Any] | None:
-        """Returns the programs' table of fractals, with the formulas of their constants; None without programs."""
+        """Returns the programs' table of fractals, with the formulas of their constants, or None if the programs are
+        missing."""
         if not self.there:
             return None
         run = subprocess.run([self.render, "--list-fractals", "--json"], capture_output=True, text=True, check=False)
@@ -107,7 +111,7 @@ class Studio:
         return json.loads(run.stdout)
 
     def _draw(self, key: Key, ending: str) -> Path | None:
-        """Returns a file rendered by bin/render; None if the backend cannot render it."""
+        """Returns a picture file rendered by bin/render, or None if there is none; `reasons` then has the reason."""
         scene = SCENES[key.fractal]
         target = self.cache.path(ending, self.program, scene.read_text(encoding="utf-8"), key, SIDE)
         refused = target.with_suffix(ending + ".refused")
@@ -121,7 +125,7 @@ class Studio:
             if run.returncode == UNAVAILABLE:
                 write_whole(refused, (lines[-1] if lines else "unavailable").encode())
             elif run.returncode != 0:
-                # Not cached, as a later attempt may succeed.
+                # The failure is not cached, because a later attempt may succeed.
                 self.failures[key] = self.reasons[key] = lines[-1] if lines else f"exit code {run.returncode}"
                 return None
         if refused.exists():
@@ -151,7 +155,7 @@ class Studio:
         return [picture for key in keys if (picture := self.picture(key)) is not None]
 
     def compare(self, a: Path, b: Path) -> dict[str, Any]:
-        """Returns imgdiff's comparison of two files; `map`: a picture of the differences."""
+        """Returns imgdiff's comparison of two files. Its key `map` has a picture of the differences."""
         differences = self.cache.path(".png", "map", a.name, b.name)
 
         def compared() -> dict[str, Any]:
@@ -163,8 +167,8 @@ class Studio:
         return self.cache.value(compared, "imgdiff", a.name, b.name) | {"map": differences}
 
     def flip_mean(self, a: Path, b: Path) -> float | None:
-        """Returns the mean of FLIP (Andersson et al., 2020) at its default viewing distance, or None if the package is
-        missing."""
+        """Returns the mean of the difference metric FLIP (Andersson et al., 2020) at its default viewing distance, or
+        None if its package is missing."""
         try:
             import flip_evaluator  # pylint: disable=import-outside-toplevel
         except ImportError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds all files below the results folder and identifies their kind by their content, not by their name."""
+"""Finds all files below the results folder and identifies the kind of each by its content, not by its name."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def _validator(kind: str) -> jsonschema.Draft202012Validator:
 
 
 def checked(name: str, data: Any, kind: str) -> Any:
-    """Returns the data of a file from bench if it follows the schema of its kind; else raises InputError with one
-    line."""
+    """Returns `data`, the content of a file from bench, if it follows the schema of `kind`. Otherwise raises InputError
+    with one line."""
     errors = _validator(kind).iter_errors(data)
     error = next(iter(sorted(errors, key=lambda e: [str(step) for step in e.path])), None)
     if error is not None:
@@ -48,7 +48,8 @@ def checked(name: str, data: Any, kind: str) -> Any:
 
 
 def checked_bench(bench: Bench) -> Bench:
-    """Returns a result that follows its schema. Raises InputError with one line."""
+    """Returns `bench` if it has the current version and follows its schema. Otherwise raises InputError with one
+    line."""
     name, data = bench.name, bench.data
     if data.get("version") != VERSION:
         said = f"{name}: version {data.get('version')} of a result, expected {VERSION}"
@@ -61,7 +62,8 @@ def checked_bench(bench: Bench) -> Bench:
 
 @dataclass
 class Results:
-    """All result files, each kind in the order of the file names. `files`: content of each, by name."""
+    """All result files, in lists by kind, each in the order of the file names. `files`: the content of all files, by
+    name."""
 
     files: dict[str, Any] = field(default_factory=dict)
     benches: list[Bench] = field(default_factory=list)
@@ -82,15 +84,17 @@ class Results:
         return [bench for bench in self.benches if bench.study == name]
 
     def backends(self, others: Iterable[str] = ()) -> Backends:
-        """Returns all backends of the results and `others`: first those of the result with the most, in its order."""
+        """Returns all backends of the results and `others`. The backends of the result that has the most come first, in
+        the order of that result."""
         lists = sorted((bench.environment["backends"] for bench in self.benches), key=len, reverse=True)
         rows = [row.backend for bench in self.benches for row in bench.rows]
         applications = [entry["application"] for entry in self.portability or []]
         return Backends.of([backend for registered in lists for backend in registered], [*rows, *applications, *others])
 
     def whole(self) -> list[Bench]:
-        """Returns the standard studies that compare backends: at least three that use the kernel, or as many as any
-        has. A file need not have every backend of the others: some take too long for large pictures."""
+        """Returns the standard studies that compare at least three backends that use the kernel. If no study has three,
+        returns those with the most. A study may lack a backend that another has: some take too long for large
+        pictures."""
         standard = self.study("standard")
         reference = self.backends().reference
         compared = {id(bench): len({*bench.values("backend")} - {reference}) for bench in standard}
@@ -98,8 +102,8 @@ class Results:
         return [bench for bench in standard if compared[id(bench)] >= enough]
 
     def machines(self) -> list[Bench]:
-        """Returns one study of whole() per machine, all of the size that most machines share, so that machines are
-        compared by the same pictures."""
+        """Returns one study of whole() per machine. All these studies have the picture size that most machines share,
+        so that the same pictures are compared. Leaves out machines that have no study of that size."""
         by_size: dict[str, dict[str, Bench]] = {}
         for bench in self.whole():
             chosen = by_size.setdefault(bench.size, {})
@@ -108,11 +112,13 @@ class Results:
         return list(max(by_size.values(), key=len, default={}).values())
 
     def primary(self) -> Bench | None:
-        """Returns the main study of the report: the complete standard study with the most runs."""
+        """Returns the main study of the report: the study of whole() with the most timed backends and, of several such
+        studies, the one with the most runs. Returns None if there is no such study."""
         return max(self.whole(), key=Bench.rank, default=None)
 
     def host_compilers(self) -> list[str]:
-        """Returns the C++ compilers of the host in the standard studies, by name without version."""
+        """Returns the names, without version, of the C++ compilers that built backends for the host in the standard
+        studies."""
         built = [b["compiler"] for bench in self.study("standard") for b in bench.environment["backends"]]
         return list(dict.fromkeys(name for compiler in built if (name := compiler.split()[0] if compiler else "") in ("GNU", "Clang")))
 
@@ -120,7 +126,8 @@ class Results:
         return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
 
     def of_size(self, size: tuple[int, int], fractal: str, precision: str, mode: str, backend: str) -> tuple[Bench, Row] | None:
-        """Returns the row of this size with the most runs, from the standard studies and those of resolutions."""
+        """Returns the row with this picture size and these settings from the standard study or the study of resolutions
+        that has the most runs."""
         rows = [
             (bench, row)
             for bench in self.benches
@@ -134,7 +141,7 @@ class Results:
         return Number.at(file, self.files[file], pointer)
 
     def with_interval(self, file: str, value: str, interval: str, scale: float = 1) -> Markup:
-        """Formats a number with its interval in brackets, or a note if there are too few samples."""
+        """Formats a number with its interval in brackets or, if there are too few samples for one, with a note."""
         number = (scale * self.number(file, value)).html()
         if found(self.files[file], interval) is None:
             return number + Markup(" [too few samples for an interval]")
@@ -184,8 +191,8 @@ def _add_text(results: Results, name: str, text: str) -> None:
 
 
 def _told_apart(benches: list[Bench]) -> list[Bench]:
-    """Numbers different machines that share a name."""
-    machines: dict[str, list[Bench]] = {}  # the first result of each, by name
+    """Returns the results, with a number for each machine that shares its name with another machine."""
+    machines: dict[str, list[Bench]] = {}  # by name, the first result of each machine with that name
     numbers = []
     for bench in benches:
         known = machines.setdefault(bench.machine, [])

@@ -9,7 +9,7 @@ from .bench import Row
 
 
 def digits(value: float, count: int = 3) -> str:
-    """Formats `count` significant digits, without an exponent except for tiny numbers."""
+    """Formats a number with `count` significant digits, and with an exponent only if it is tiny."""
     if value == 0:
         return "0"
     if abs(value) < 1e-6:
@@ -22,12 +22,12 @@ def digits(value: float, count: int = 3) -> str:
 
 
 def with_interval(value: float, interval: Iterable[float] | None, form: Callable[[float], str] = digits, between: str = " – ") -> str:
-    """Formats "1.23 [1.20 – 1.26]"; without an interval the value alone."""
+    """Formats a value with its interval, such as "1.23 [1.20 – 1.26]", or only the value if there is no interval."""
     return form(value) + (f" [{between.join(map(form, interval))}]" if interval else "")
 
 
 def plain(value: float) -> str:
-    """Formats at most four significant digits, without trailing zeros: for settings and thresholds."""
+    """Formats a setting or threshold with at most four significant digits and no trailing zeros."""
     return digits(value, 4).rstrip("0").rstrip(".") if "." in digits(value, 4) else digits(value, 4)
 
 
@@ -40,10 +40,10 @@ def percent(share: float | None, decimals: int = 1) -> str:
 
 
 def where(row: Row) -> str:
-    """Returns a backend, with its device's index unless it is the first."""
+    """Returns the name of a row's backend, followed by the device's index if that is not 0."""
     return row.backend if row.device == 0 else f"{row.backend} {row.device}"
 
 
 def join(words: list[str]) -> str:
-    """Returns "a, b and c"."""
+    """Joins words as in "a, b and c"."""
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

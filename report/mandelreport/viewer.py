@@ -21,12 +21,13 @@ FOLDER = ROOT / "report"
 TOOLS = ("cmake", "glslangValidator", "spirv-cross")
 INPUTS = "(shape, escape, iterations, largest, conservative)"  # inputs of every formula (core/scene/formula.h)
 CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
-# Fields whose values in the viewer differ from the programs' on purpose: the picture is the same without the hull, and
-# the float kernel computes no normals from differences.
+# Fields of the scene whose values in the viewer may differ from the programs'. The viewer needs no hull, because the
+# picture is the same without it. The viewer's kernel is in float, which computes no normals from finite differences.
 VIEWERS_OWN = ("hull", "difference_step")
 FLATTEN = FOLDER / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
-# Folders of kernel sources. The environment adds folders, like the build option of the same name.
+# Folders of the fractals' kernel sources. The environment variable adds folders, like the build option of the same
+# name.
 FOLDERS = [KERNEL / "fractals", *(Path(f) for f in os.environ.get("MANDELMARCH_MORE_FRACTALS", "").split(";") if f)]
 TEXTS = {path.stem: path.resolve() for folder in FOLDERS for path in sorted(folder.glob("*.h"))}
 
@@ -49,7 +50,7 @@ def shader(fractal: str, work: Path) -> str:
     _run("cmake", "-D", f"FRACTAL={fractal}", "-D", f"TEXT={TEXTS[fractal]}", "-D", f"FILE={text}", "-P", FLATTEN)
     _run("glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-o", module, text)
     _run("spirv-cross", "--es", "--version", "300", "--output", result, module)
-    # Without indentation, which is a fifth of the text.
+    # Removes the indentation, a fifth of the text.
     return "\n".join(line.strip() for line in result.read_text(encoding="utf-8").splitlines() if line.strip()) + "\n"
 
 
@@ -65,7 +66,8 @@ def _row(row: dict[str, Any]) -> str:
 
 
 def table_script(table: dict[str, Any], names: list[str] | None = None) -> str:
-    """Returns an expression: `rules`, for all scenes, and `rows` by name, with formulas as functions."""
+    """Returns a JavaScript expression, an object with `rules`, which apply to all scenes, and `rows`, the fractals by
+    name, whose formulas are functions. `names`: the fractals to include; None: all."""
     rows = {row["name"]: _row(row) for row in table["fractals"] if names is None or row["name"] in names}
     body = ",\n".join(f"{json.dumps(name)}: {row}" for name, row in rows.items())
     return (
@@ -85,7 +87,8 @@ def environment() -> jinja2.Environment:
 
 
 def differing_fields(mine: dict[str, Any], printed: dict[str, Any], close: float = CLOSE) -> list[str]:
-    """Returns the fields of a scene with values other than those of bin/render --print-scene."""
+    """Returns the names of fields whose values in the viewer's scene, `mine`, differ from those that
+    `bin/render --print-scene` printed."""
 
     def same(a: Any, b: Any) -> bool:
         if isinstance(a, list):
@@ -106,13 +109,13 @@ def scripts() -> Markup:
 
 
 def _embedded(data: Any) -> Markup:
-    """Returns JSON for use inside a script element."""
+    """Returns data as JSON that can stand inside a script element of HTML."""
     return Markup(json.dumps(data, separators=(",", ":"), sort_keys=True).replace("<", "\\u003c"))
 
 
 def material(table: dict[str, Any], work: Path) -> dict[str, Any]:
-    """Returns the template's values. `table`: output of bin/render --list-fractals --json; `work`: folder for
-    intermediate files."""
+    """Returns the values for the viewer's template. `table`: output of bin/render --list-fractals --json; `work`: a
+    folder for intermediate files."""
     names = [row["name"] for row in table["fractals"] if row["name"] in TEXTS]
     texts = {fractal: shader(fractal, work) for fractal in names}
     return {

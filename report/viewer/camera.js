@@ -8,7 +8,7 @@ const Vec = {
     cross: (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]],
     dot: (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2],
     unit: (a) => Vec.scale(1 / Math.hypot(...a), a),
-    // Turns a about the unit vector n by an angle in radians (Rodrigues' formula).
+    // Returns the vector a, turned about the unit vector n by an angle in radians (Rodrigues' formula).
     turn: (a, n, angle) => Vec.add(Vec.add(Vec.scale(Math.cos(angle), a), Vec.scale(Math.sin(angle), Vec.cross(n, a))),
         Vec.scale((1 - Math.cos(angle)) * Vec.dot(n, a), n)),
 };
@@ -16,7 +16,7 @@ const Vec = {
 class Camera {
     constructor(scene) { this.look(scene); }
 
-    // Creates a camera from a parameter file's eye, target and up.
+    // Sets the camera from a parameter file's eye, target and up.
     look(scene) {
         this.eye = scene.eye.slice();
         this.forward = Vec.unit(scene.target.map((t, i) => t - scene.eye[i]));
@@ -24,7 +24,7 @@ class Camera {
         this.field = scene.field;
     }
     get up() { return Vec.cross(this.right, this.forward); }
-    // Turns by angles in radians: to the right, up, and about the view.
+    // Turns the camera by angles in radians: yaw to the right, pitch upwards, roll about the view direction.
     turn(yaw, pitch, roll) {
         const up = this.up;
         this.forward = Vec.turn(this.forward, up, -yaw);
@@ -33,23 +33,23 @@ class Camera {
         this.right = Vec.turn(this.right, this.forward, roll);
         this.right = Vec.unit(Vec.add(this.right, Vec.scale(-Vec.dot(this.right, this.forward), this.forward)));
     }
-    // Moves along right, up and forward.
+    // Moves the eye by x to the right, y upwards and z forwards.
     move(x, y, z) {
         this.eye = Vec.add(this.eye, Vec.add(Vec.add(Vec.scale(x, this.right), Vec.scale(y, this.up)),
             Vec.scale(z, this.forward)));
     }
 }
 
-// Returns the fields of the kernel's Scene by name, as core/render/kernel_scene.cpp sets them in float (bin/render
-// --print-scene). table: output of table_script() in report/mandelreport/viewer.py: `rules` apply to all scenes, `rows` are the
-// fractals by name, with their formulas as functions.
+// Returns the fields of the kernel's Scene by name, with the values that core/render/kernel_scene.cpp sets in float
+// (bin/render --print-scene). The first argument is the object that table_script() of report/mandelreport/viewer.py
+// makes: `rules` apply to all scenes, `rows` are the fractals by name, with their formulas as functions.
 function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, maxSteps) {
     const row = rows[fractal], inputs = [s.shape, s.escape, s.iterations, rules.largest, 0];
     const step_factor = fast ? Math.min(rules.plain_step_factor, row.step_factor(...inputs)) : rules.plain_step_factor;
     const tangent = Math.tan(camera.field * rules.degrees_per_field / 2 * Math.PI / 180);
     return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: row.whole(...inputs),
         colouring: s.colouring, canonical: fast ? 1 : 0,
-        // Float is too imprecise for differences; the picture is the same without the hull.
+        // Float is too imprecise for normals from differences. The picture is the same without the hull.
         differences: 0, difference_step: 0, hull: 0,
         tolerance: Math.pow(10, Math.fround(s.detail)), step_factor,
         relaxation: fast && step_factor >= rules.plain_step_factor ? rules.longest_relaxed : step_factor, end: rules.end, miss: Infinity,
@@ -59,7 +59,8 @@ function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, m
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
 }
 
-// Packs the fields as the shader's uniform block expects: layout is [name, offset, stride of an array, is an integer].
+// Returns the bytes of the shader's uniform block for these fields. `layout`: for each field of the block [name,
+// offset, stride if it is an array, true if it is an integer]; offset, stride and `size` in bytes.
 function packed(fields, layout, size) {
     const bytes = new ArrayBuffer(size);
     const ints = new Int32Array(bytes), floats = new Float32Array(bytes);

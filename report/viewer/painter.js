@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// WebGL 2 code of the viewer: targets, programs of the kernel, and rendering with them.
+// WebGL 2 code of the viewer: targets to render to, the kernel's shader programs, and rendering with these programs.
 "use strict";
 class Painter {
     static VERTEX = `#version 300 es
         void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
-    // Returns null without WebGL 2. data: shaders by fractal, and the table (camera.js).
+    // Returns a painter, or null if the browser lacks WebGL 2. data.shaders: shaders by fractal; data.table: the first
+    // argument of sceneFields() in camera.js.
     static on(canvas, data) {
         const gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false });
         return gl ? new Painter(gl, canvas, data) : null;
@@ -33,7 +34,8 @@ class Painter {
         this.gl.deleteFramebuffer(made.buffer);
     }
 
-    // Compiling may take seconds; it runs in the background if the browser can.
+    // Returns the program of a fractal. The first call begins to compile it, which may take seconds. If the browser
+    // can, it compiles in the background.
     program(name) {
         if (this.programs[name]) return this.programs[name];
         const gl = this.gl;
@@ -47,7 +49,8 @@ class Painter {
         gl.linkProgram(made.program);
         return made;
     }
-    // Returns false while the browser compiles. Throws an Error if that fails.
+    // Returns true if a fractal's program is compiled, false if the browser is still compiling it. Throws an Error if
+    // the browser cannot compile it.
     ready(name) {
         const gl = this.gl, made = this.program(name);
         if (made.ready) return true;
@@ -59,7 +62,8 @@ class Painter {
         const block = gl.getUniformBlockIndex(made.program, "SceneBlock");
         gl.uniformBlockBinding(made.program, block, 0);
         gl.uniformBlockBinding(made.program, gl.getUniformBlockIndex(made.program, "PassBlock"), 1);
-        // Offsets of the block's fields. The kernel may change; an unknown field is an error.
+        // Queries the layout of the kernel's scene, because fields of the kernel may change. packed() throws an Error
+        // if the viewer has no value for a field.
         const fields = [...gl.getActiveUniformBlockParameter(made.program, block, gl.UNIFORM_BLOCK_ACTIVE_UNIFORM_INDICES)];
         const [offsets, strides, types] = [gl.UNIFORM_OFFSET, gl.UNIFORM_ARRAY_STRIDE, gl.UNIFORM_TYPE].map(
             (what) => gl.getActiveUniforms(made.program, fields, what));
@@ -70,7 +74,9 @@ class Painter {
         return true;
     }
 
-    // view: fractal, scene, camera, fast. area: x, y, width and height of the part to render; default: all.
+    // Renders to the target `to`. view: an object with fractal, scene, camera, fast. steps: the limit per ray. area: x,
+    // y, width and height of the part to render; default: all. probing: if true, renders the distance estimate, which
+    // viewer.frag describes.
     draw(to, view, steps, area, probing) {
         const gl = this.gl, compiled = this.program(view.fractal);
         const fields = sceneFields(this.data.table, view.fractal, view.scene, view.camera, to.width, to.height, view.fast, steps);
@@ -86,14 +92,15 @@ class Painter {
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         gl.disable(gl.SCISSOR_TEST);
     }
-    // Waits for the device by reading a pixel.
+    // Returns the bytes of a target's first pixel. To read it, waits until the device has rendered the target.
     pixel(of) {
         const bytes = new Uint8Array(4);
         this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, of.buffer);
         this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, bytes);
         return bytes;
     }
-    // Rows start at the top, as in browsers.
+    // Returns a target's picture, with its first row at the top, as browsers expect. WebGL's first row is at the
+    // bottom.
     image(of) {
         const gl = this.gl, bytes = new Uint8Array(4 * of.width * of.height), image = new ImageData(of.width, of.height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, of.buffer);
@@ -103,7 +110,7 @@ class Painter {
         }
         return image;
     }
-    // to: a target, or null for the canvas, both of the canvas's size.
+    // Copies a target, scaled to the canvas's size. to: a target of that size, or null for the canvas itself.
     copy(from, to, smooth) {
         const gl = this.gl;
         gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from.buffer);
@@ -111,7 +118,7 @@ class Painter {
         gl.blitFramebuffer(0, 0, from.width, from.height, 0, 0, this.canvas.width, this.canvas.height, gl.COLOR_BUFFER_BIT,
             smooth ? gl.LINEAR : gl.NEAREST);
     }
-    // Returns the distance estimate at the eye, from the kernel.
+    // Returns the kernel's distance estimate at the eye, without its sign; 1 if it is not finite.
     clearance(view) {
         this.draw(this.probe, view, 1, null, true);
         const d = new DataView(this.pixel(this.probe).buffer).getFloat32(0, true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel as a fragment shader in float, for the report's viewer. glslang compiles it to SPIR-V, and spirv-cross
-// converts that to GLSL ES 3.00 for browsers.
+// The kernel as a fragment shader in float, for the report's viewer. glslang compiles the shader to SPIR-V, and
+// spirv-cross converts the SPIR-V to GLSL ES 3.00 for browsers.
 #version 460
 #define MM_REAL_IS_FLOAT 1
 #define MM_PINNED 0
@@ -9,7 +9,8 @@
 
 layout(std140, binding = 0) uniform SceneBlock { Scene whole_scene; };
 
-// 1: output the bits of the distance estimate at the eye, lowest byte first (for the camera's speed), not a pixel.
+// probing: if 1, the output is not a colour, but the bits of the distance estimate at the eye, lowest byte first. The
+// viewer needs the estimate for the camera's speed.
 layout(std140, binding = 1) uniform PassBlock { int probing; };
 
 layout(location = 0) out vec4 result;
@@ -22,6 +23,6 @@ void main()
         return;
     }
     Pixel done = draw(whole_scene, floor(gl_FragCoord.x), floor(gl_FragCoord.y));
-    // Truncates a colour to a byte like core/image/image.cpp: trunc(255 c). The buffer itself would round to nearest.
+    // Truncates a colour to a byte like core/image/image.cpp: trunc(255 c). Without this, the buffer rounds to nearest.
     result = vec4(floor(done.colour * 255.0) / 255.0, 1.0);
 }

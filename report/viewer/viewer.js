@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The live viewer: renders with the kernel in WebGL 2. While the camera moves, it renders a small picture with few
-// steps; at rest, the full picture tile by tile, so that no draw call blocks the device for long.
+// The live viewer, which renders with the kernel in WebGL 2. While the camera moves, the viewer renders a small picture
+// with few steps. When the camera rests, it renders the full picture tile by tile, so that no draw call blocks the
+// device for long.
 "use strict";
 const Viewer = (() => {
     const MOVING_STEPS = 300;                           // per ray
@@ -33,7 +34,7 @@ const Viewer = (() => {
         painter.copy(low, null, true);
         tile = { x: 0, y: 0, height: tileSide };
     }
-    // Renders tiles for about a frame's time. Returns true when the picture is complete.
+    // Renders tiles for about 2 TILE_MS. Returns true if the picture is then complete.
     function drawResting() {
         const begin = performance.now();
         while (tile && performance.now() - begin < 2 * TILE_MS) {
@@ -45,7 +46,7 @@ const Viewer = (() => {
             const took = performance.now() - one;
             tile.x += 4 * side;
             if (tile.x >= canvas.width) {
-                // The tile's height changes only between rows of tiles.
+                // Begins the next row of tiles. The tiles' height changes only here.
                 tile = tile.y + side >= canvas.height ? null : { x: 0, y: tile.y + side, height: tileSide };
             }
             tileSide = took > TILE_MS ? Math.max(8, tileSide >> 1) : took < TILE_MS / 4 ? Math.min(128, tileSide << 1) : tileSide;
@@ -63,7 +64,7 @@ const Viewer = (() => {
             if (TURNS[key]) turn = Vec.add(turn, TURNS[key]);
         }
         if (way.some((v) => v !== 0)) {
-            // Speed is proportional to the clearance, as in the film.
+            // The camera's speed is proportional to its clearance, as in the film.
             const distance = speed * seconds * Math.max(painter.clearance(view()), 1e-5);
             camera.move(...Vec.scale(distance, way));
         }
@@ -117,7 +118,7 @@ const Viewer = (() => {
         sliders();
         change();
     }
-    // Creates a slider and a number for each parameter.
+    // Creates a slider and a display of its value for each parameter.
     function sliders() {
         const place = find("viewer-parameters");
         place.replaceChildren();
@@ -134,7 +135,7 @@ const Viewer = (() => {
             label.append(name, slider, value);
             Object.assign(slider, { type: "range", min: low_, max: high, step: by, value: read() });
             slider.dataset.parameter = key;
-            value.textContent = Number(read().toPrecision(6));  // digits of a float
+            value.textContent = Number(read().toPrecision(6));  // about as many digits as a float has
             slider.addEventListener("input", () => {
                 const number = Number(slider.value);
                 if (at !== undefined) scene[field][at] = number;
@@ -153,7 +154,7 @@ const Viewer = (() => {
         change();
     }
 
-    // Opens the view in the page's address: #fractal=NAME&dat=TEXT, from a gallery.
+    // Shows the view that the page's address gives as #fractal=NAME&dat=TEXT. A gallery links to such addresses.
     function ask(wanted) {
         const name = wanted.get("fractal");
         if (name in data.table.rows) {
@@ -227,7 +228,8 @@ const Viewer = (() => {
         });
     }
 
-    // Returns a PNG of the target, as the canvas loses its content once it is on the screen.
+    // Returns the full picture as a PNG. Reads it from the target, because the canvas loses its content once it is on
+    // the screen.
     function picture() {
         const page = document.createElement("canvas");
         [page.width, page.height] = [full.width, full.height];
@@ -251,7 +253,7 @@ const Viewer = (() => {
         choose(fractal);
         resize(...find("viewer-size").value.split("x").map(Number));
         ask(new URLSearchParams(location.hash.slice(1)));
-        // Renders only while visible.
+        // Runs the viewer only while the canvas is visible.
         new IntersectionObserver(([entry]) => {
             const was = running;
             running = entry.isIntersecting;
@@ -259,7 +261,7 @@ const Viewer = (() => {
         }).observe(canvas);
     }
     if (document.getElementById("viewer-canvas")) start();
-    // The current scene, for comparison with bin/render --print-scene.
+    // Returns the fields of the current scene. The report's check compares them with bin/render --print-scene.
     const fields = () => sceneFields(data.table, fractal, scene, camera, canvas.width, canvas.height, fast, data.table.rules.max_steps);
     return { idle: () => !dirty && tile === null, picture, fields, camera: () => camera,
         dat: () => toParameters(fractal, scene, camera, canvas.width, canvas.height) };

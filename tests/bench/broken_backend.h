@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The openmp backend with a defect, which bench must detect.
+// The openmp backend with a defect that bench must detect.
 #pragma once
 
 #include <algorithm>

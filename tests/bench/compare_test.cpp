@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// bench compare on synthetic results with known differences.
+// `bench compare` on synthetic results with known differences.
 #include "bench/judge/compare.h"
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ constexpr int samples = 10;
 
 Row numbered_row(int index) { return made_row(fmt::format("backend{}", index), {}); }
 
-// Returns a result with realistic times: each run has its own speed (standard deviation 1.5 %), and each sample a
-// disturbance (1 %). The times of row i are multiplied by factor(i).
+// Returns a result with realistic times. Each run has its own speed, with a standard deviation of 1.5 %, and each
+// sample is disturbed, with a standard deviation of 1 %. The times of row i are multiplied by factor(i).
 Result random_result(std::mt19937_64& random, const std::function<double(int)>& factor, int of_runs = runs)
 {
     std::normal_distribution<double> normal;
@@ -43,11 +43,12 @@ Result random_result(std::mt19937_64& random, const std::function<double(int)>& 
     return result;
 }
 
-// The factors that cause the most false alarms: every row differs by exactly the margin.
+// Returns the factor of row i. With these factors false alarms are most frequent, because every row differs by exactly
+// the margin.
 double at_the_margin(int i) { return i % 2 == 0 ? 1 + margin : 1 / (1 + margin); }
 
-// Returns the number of comparisons, of 100, for which alarm(before, after) is true. In the result `after`, the times
-// of row i are factor(i) times as long.
+// Makes 100 pairs of results and returns the number of pairs for which alarm(before, after) is true. In `after`, the
+// times of row i are factor(i) times as long as in `before`.
 template <class Alarm>
 int alarms(const std::function<double(int)>& factor, Alarm alarm)
 {
@@ -66,7 +67,7 @@ bool compare_alarms(const Result& before, const Result& after)
     return called(compare_results(before, after).rows) > 0;
 }
 
-// Judges like compare, but without Holm's correction.
+// Returns true if a row is called faster or slower by a method like compare's, but without Holm's correction.
 bool uncorrected_alarms(const Result& before, const Result& after)
 {
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
@@ -75,7 +76,8 @@ bool uncorrected_alarms(const Result& before, const Result& after)
     return false;
 }
 
-// Judges like compare, but from all samples, as if the samples of one run were independent.
+// Returns true if a row is called faster or slower by a method like compare's, but from all samples, as if the samples
+// of one run were independent.
 bool pooled_alarms(const Result& before, const Result& after)
 {
     std::vector<double> p;
@@ -91,7 +93,7 @@ TEST(Compare, RaisesFewFalseAlarms)
     EXPECT_LE(alarms(at_the_margin, compare_alarms), 10) << "5 in 100 is expected here, 10 is its 98th percentile";
 }
 
-// Negative controls: each of these simpler methods raises many alarms in the same test.
+// Negative controls: with each of these simpler methods there are many false alarms.
 TEST(Compare, ShortcutsRaiseMany)
 {
     EXPECT_GT(alarms(at_the_margin, uncorrected_alarms), 30) << "without Holm's correction";
@@ -115,7 +117,7 @@ TEST(Compare, FindsARegressionAndAnImprovement)
 
 TEST(Compare, NothingUnderTheMarginIsADifference)
 {
-    // Times without noise: the difference is certain, but within the margin.
+    // The times have no noise. The difference is certain, but within the margin.
     const Result before = made_result({made_row("openmp", {1, 1}, 1)}, 2);
     Result after = before;
     for (Sample& sample : after.rows[0].samples) sample.kernel = 1.019;
@@ -124,8 +126,8 @@ TEST(Compare, NothingUnderTheMarginIsADifference)
     EXPECT_EQ(compare_results(before, after).rows[0].verdict, Verdict::slower);
 }
 
-// One of 48 rows takes half the time, but has only three runs, so that the difference is not significant after Holm's
-// correction for 48 rows. The verdict must be undecided, not the same.
+// One of 48 rows takes half the time. But there are only three runs, too few for this difference to be significant
+// after Holm's correction for 48 rows. The verdict must be `undecided`, not `same`.
 TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
 {
     Result before;
@@ -248,8 +250,8 @@ TEST(Compare, TheResultsOwnWarningsAreShown)
     EXPECT_NE(text.find("warning: new result: frequency:\\x1b[2J 1 to 2 MHz\n"), std::string::npos) << text;
 }
 
-// If both results have one run, a single disturbed picture must not make the verdict `slower`, as a comparison of mean
-// logarithms would.
+// If both results have one run, a single disturbed picture must not lead to the verdict `slower`. A comparison of the
+// mean logarithms of times would give this verdict.
 TEST(Compare, OneRunIsComparedByMedians)
 {
     std::mt19937_64 random(7);

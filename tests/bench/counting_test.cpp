@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operation counts are compared with counts by hand, and with the work counts that a backend reports.
+// Operation counts must equal counts made by hand and the work counts that a backend reports.
 #include "bench/counting/counting.h"
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ TEST(Counting, ByHand)
     EXPECT_EQ(counted([&] { -v.x; }).total(), 0U);
 }
 
-// Apart from the rounds, multiply_add_chains() does 18 additions: 9 before the first round, 9 after the last.
+// multiply_add_chains() does 18 additions that belong to no round: 9 before the first round and 9 after the last.
 TEST(Counting, ThePeakDoesAsManyOperationsAsItIsCreditedWith)
 {
     for (const int rounds : {0, 1, 7}) {
@@ -77,7 +77,7 @@ TEST(Counting, TheWorkIsThatOfABackend)
                     registry.find("openmp")->create({.precision = precision, .mode = mode, .simd_width = 1});
                 const Work work = renderer->render(scene, image).work;
                 EXPECT_EQ(count.pixels, image.pixels());
-                // In fast mode the backend's kernel is contracted, which adds or removes a few steps.
+                // In fast mode the backend's kernel may fuse operations, which adds or removes a few steps.
                 const double allowed = mode == Mode::exact ? 0 : 0.005 * static_cast<double>(work.iterations);
                 EXPECT_NEAR(static_cast<double>(count.work.iterations), static_cast<double>(work.iterations), allowed);
                 EXPECT_NEAR(static_cast<double>(count.work.de_calls), static_cast<double>(work.de_calls), allowed);
@@ -110,14 +110,14 @@ struct Figure {
     double sampled, error, truth;
 
     double relative_error() const { return error / truth; }
-    // Returns the error of the estimate as a multiple of its standard error.
+    // Returns the difference between the estimate and the true value, as a multiple of the standard error.
     double off() const { return std::abs(sampled - truth) / error; }
 };
 
 using Choose = std::function<Count(const Scene& scene)>;
 
-// Returns quantities of exact pictures in double, of five views of both fractals. `sample` chooses and counts the
-// pixels.
+// Returns the quantities of exact pictures in double: five views of each of two fractals. `sample` counts the
+// operations of the pixels that it chooses.
 std::vector<Figure> sampled_figures(const Choose& sample)
 {
     const auto per_estimate = [](const Count& count) {
@@ -163,7 +163,8 @@ TEST(Counting, SamplesStandForAllPixelsWithinTheirErrors)
     }
 }
 
-// Negative control: a sample that contains only patches in one corner of the picture is detected as biased.
+// Negative control: if all patches of a sample are in one quarter of the picture, the errors of several quantities
+// exceed four standard errors.
 TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
 {
     int off = 0;
@@ -177,8 +178,8 @@ TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
     EXPECT_GT(off, 5) << "of " << figures.size();
 }
 
-// The picture's size is not a multiple of the patches' size, so its edges cut patches. The mean position of the sampled
-// pixels must be the middle of the picture; for a lattice that begins in a corner it is not.
+// The picture's size is not a multiple of the patches' size. Therefore the edges cut patches. The mean position of the
+// sampled pixels must be the middle of the picture. A sample on a lattice that begins in a corner fails this.
 TEST(Sample, IsSpreadOverTheWholePicture)
 {
     constexpr int width = 100;
@@ -219,11 +220,11 @@ TEST(Counting, Lanes)
     }
 }
 
-// A vector of two lanes, and four rays of three, one, two and no steps.
-// Without refill: the first two rays take 3 steps of the vector, with (9 + 1 + 1) iterations of the slowest lane; the
-// other two take 2 steps, with (5 + 5) iterations.
-// With refill: the second lane takes the third ray after its first step. The vector takes 3 steps, with 9 + 5 + 5
-// iterations of the slowest lane.
+// A vector has two lanes. Four rays take three, one, two and no steps; `rays` has the iterations of each step.
+// Without refill, the first two rays take 3 steps of the vector, in which the slower lane has 9 + 1 + 1 iterations. The
+// other two rays then take 2 steps, with 5 + 5 iterations.
+// With refill, the second lane takes the third ray after its first step. The vector takes 3 steps, in which the slower
+// lane has 9 + 5 + 5 iterations.
 TEST(Counting, LanesByHand)
 {
     const std::vector<RaySteps> rays{{4, 1, 1}, {9}, {5, 5}, {}};
@@ -240,8 +241,8 @@ TEST(Counting, LanesByHand)
     EXPECT_EQ(twice.refilled_error->in_iterations, 0) << "blocks that are alike";
 }
 
-// A power that is not an integer is computed with trigonometric functions: with about the same iterations, an iteration
-// has more than twice as many operations.
+// A power that is not an integer is computed with trigonometric functions. The picture then has about the same number
+// of iterations, but each iteration has more than twice as many operations.
 TEST(Counting, TrigonometryCosts)
 {
     Scene scene = official_scene("bulb", 64, 64);

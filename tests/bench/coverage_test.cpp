@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures how often intervals contain the true value, on synthetic studies of several runs. Each run has its own
-// speed, and disturbances only slow samples down. The negative controls are simpler methods that must fail the same
-// test.
+// Measures the coverage of bench's intervals: the fraction of synthetic studies in which an interval contains the true
+// value. In the studies, each run has its own speed, and samples have skewed disturbances. The negative controls are
+// simpler methods, whose coverage must be too low.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,13 +20,13 @@ constexpr double run_scatter = 0.015;  // standard deviations of logarithms, as 
 constexpr double sample_scatter = 0.02;
 constexpr double target = 0.93;
 constexpr int studies = 2000;
-// Disturbances are skewed: they follow the chi-squared distribution with one degree of freedom. This is its median,
-// which is subtracted so that the median time is not changed.
+// Median of the chi-squared distribution with one degree of freedom. The disturbances have this distribution, which is
+// skewed. Its median is subtracted, so that the disturbances do not change the median time.
 constexpr double skew_median = 0.4549364;
 
 using Random = std::mt19937_64;
 
-// Returns for each run the factor by which the machine multiplies the times of all rows of the run.
+// Returns, for each run, the factor by which the machine's state in the run multiplies the times of all rows.
 std::map<int, double> machine(Random& random, int runs)
 {
     std::normal_distribution<double> normal;
@@ -52,7 +52,7 @@ Row study_row(Random& random, const std::string& backend, double seconds, const 
     return row;
 }
 
-// Returns the fraction of `of` studies in which interval(random) contains `truth`.
+// Makes `of` studies and returns the fraction of them for which interval(random) contains `truth`.
 double coverage(double truth, const std::function<Interval(Random&)>& interval, int of = studies)
 {
     Random random(3);
@@ -73,7 +73,8 @@ std::vector<double> skewed_times(Random& random, int n)
     return times;
 }
 
-// Negative control: an interval that is narrower by one rank on either side contains the median too rarely.
+// The last expectation is the negative control: an interval that is narrower by one rank on either side contains the
+// median too rarely.
 TEST(CoverageOfAMedian, IsThatOfItsRanks)
 {
     for (const int n : {6, 9, 17, 30}) {
@@ -91,7 +92,7 @@ TEST(CoverageOfAMedian, IsThatOfItsRanks)
 class Coverage : public testing::TestWithParam<int> {
 protected:
     int runs() const { return GetParam(); }
-    // Returns factors of 1: the machine affects all runs alike.
+    // Returns the factor 1 for each run, because here the machine affects all runs alike.
     std::map<int, double> quiet() const
     {
         std::map<int, double> factors;
@@ -110,7 +111,8 @@ TEST_P(Coverage, OfATime)
     EXPECT_GE(coverage(0.1, interval), target);
 }
 
-// Negative control: an interval from all samples, computed as if those of one run were independent, is too narrow.
+// Negative control: an interval computed from all samples, as if the samples of one run were independent, is too
+// narrow.
 TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
 {
     const auto pooled = [&](Random& random) {
@@ -142,7 +144,8 @@ TEST(CoverageOfThreeRunes, IsMissedByABootstrap)
     EXPECT_LT(coverage(0.1, bootstrap, 1000), target);
 }
 
-// The machine has the same effect on both rows of a ratio in a run, so pairing the rows' times by run cancels it.
+// In each run, the machine multiplies the times of both rows of the ratio by the same factor. Their ratio within a run
+// does not depend on this factor.
 TEST_P(Coverage, OfARatio)
 {
     const auto interval = [&](Random& random) {
@@ -155,8 +158,8 @@ TEST_P(Coverage, OfARatio)
     EXPECT_GE(coverage(3, interval), target);
 }
 
-// Returns the interval of the speed-up of a synthetic study. The reference has three samples per run, the row that is
-// compared with it has twelve.
+// Returns the interval of the speed-up in a synthetic study. The reference has three samples per run, and the row whose
+// speed-up is measured has twelve.
 Interval speed_up(Random& random, int runs, double reference_seconds)
 {
     const auto factors = machine(random, runs);
@@ -172,7 +175,7 @@ TEST_P(Coverage, OfASpeedUp)
     EXPECT_GE(coverage(40, [&](Random& random) { return speed_up(random, runs(), 4); }), target);
 }
 
-// Negative control: intervals of a speed-up of 43 contain 40 too rarely.
+// Negative control: if the true speed-up is 43, intervals contain 40 too rarely.
 TEST_P(Coverage, OfAnotherSpeedUpIsNone)
 {
     EXPECT_LT(coverage(40, [&](Random& random) { return speed_up(random, runs(), 4.3); }), 0.8);
@@ -180,8 +183,8 @@ TEST_P(Coverage, OfAnotherSpeedUpIsNone)
 
 TEST_P(Coverage, OfPortability)
 {
-    // On two platforms, the slower backend takes 2 and 1.25 times as long as the other one, so its efficiencies are 0.5
-    // and 0.8.
+    // On one platform the slower backend takes 2 times as long as the other backend, on a second platform 1.25 times.
+    // Therefore its efficiencies are 0.5 and 0.8.
     const auto interval = [&](Random& random) {
         std::vector<Result> results;
         for (const auto& [platform, seconds] : {std::pair("A", 0.2), {"B", 0.125}}) {
@@ -195,7 +198,8 @@ TEST_P(Coverage, OfPortability)
     EXPECT_GE(coverage(2 / (1 / 0.5 + 1 / 0.8), interval, 300), target);
 }
 
-// Negative control: the interval of a single run does not include the differences between runs.
+// Negative control: an interval from a single run does not include the differences between runs. Therefore it contains
+// the true value too rarely.
 TEST(CoverageOfOneRun, IsOfThatRunAlone)
 {
     const auto interval = [](Random& random) {
@@ -204,7 +208,7 @@ TEST(CoverageOfOneRun, IsOfThatRunAlone)
     EXPECT_LT(coverage(0.1, interval), 0.8);
 }
 
-// If runs do not differ, the interval of a single run contains the true ratio often enough, also for skewed times.
+// If runs do not differ, an interval from a single run contains the true ratio often enough, even for skewed times.
 TEST(QuotientOfOneRun, HoldsTheTruth)
 {
     const auto interval = [](Random& random) {

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""csv_test.py BIN SOURCE: a pivot of a standard study's CSV, by the column `application` or by the column `backend`, has
-the kernel times of its JSON: no cell is the mean of several rows. The CSV has a line for each row."""
+"""csv_test.py BIN SOURCE: the CSV of a standard study has a line for each row of its JSON. If a pivot table is made
+from the CSV, by the column `application` or by the column `backend`, each cell has the kernel time of one row, and none
+is the mean of several rows."""
 import csv
 import io
 import json
@@ -16,7 +17,7 @@ STORED = json.loads(STUDY.read_text())
 
 
 def pivot(rows, *keys):
-    """Returns the mean kernel seconds of each group of rows with the same keys."""
+    """Returns the mean kernel seconds of each group of rows that agree in the columns `keys`."""
     groups = {}
     for row in rows:
         groups.setdefault(tuple(row[key] for key in keys), []).append(float(row["kernel_s"]))

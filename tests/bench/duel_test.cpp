@@ -19,15 +19,15 @@ constexpr int rows = 8;
 
 // Disturbances on a synthetic machine. The first three are standard deviations of logarithms of times.
 struct Noise {
-    double run = 0.01;      // of each program in each run, for example from its memory layout
-    double moment = 0.20;   // of a pair, the same for both pictures
+    double run = 0.01;      // of a program in a run, for example because of its memory layout
+    double moment = 0.20;   // of a pair of pictures, the same for both
     double picture = 0.02;  // of a single picture
-    double hit = 0.05;      // fraction of pictures that an interruption makes twice as long
+    double hit = 0.05;      // fraction of pictures that take twice as long, because of an interruption
 };
 constexpr Noise quiet{.run = 0.002, .moment = 0.1, .picture = 0.002, .hit = 0};
 constexpr Noise loaded{.run = 0.03, .moment = 0.5, .picture = 0.08, .hit = 0.2};
 
-// Returns a duel in which row i of the new program takes factor(i) times as long as that of the old one.
+// Returns a duel in which row i takes factor(i) times as long with the new program as with the old one.
 Duel made_duel(std::mt19937_64& random, const std::function<double(int)>& factor, const Noise& noise = {},
                int runs = 10)
 {
@@ -73,7 +73,7 @@ TEST(Duel, EqualProgramsRaiseAtMostOneAlarmInTwenty)
     EXPECT_LE(alarms(same, loaded, judge_alarms), 20) << "of 400, under load";
 }
 
-// Negative controls: each of these simpler methods raises many false alarms.
+// Negative controls: with each of these simpler methods there are many false alarms.
 TEST(Duel, ShortcutsRaiseMany)
 {
     const auto pairs_as_units = [](const Duel& duel) {
@@ -99,12 +99,12 @@ TEST(Duel, ShortcutsRaiseMany)
 TEST(Duel, FindsThreePercentInNineOfTen)
 {
     EXPECT_GE(alarms(all_slower, {}, judge_alarms), 360) << "of 400";
-    // A single slower row is found, too, if runs differ less.
+    // If runs differ less, a single slower row is found, too.
     const auto third = [](const Duel& duel) { return judged(duel).verdicts.at(3).verdict == Verdict::slower; };
     EXPECT_GE(alarms([](int i) { return i == 3 ? 1.03 : 1.0; }, {.run = 0.005}, third), 360) << "of 400";
 }
 
-// Negative control: the method of `bench compare`, which does not use the pairs, finds nothing in the same pictures.
+// Negative control: `bench compare` does not use the pairs, and finds no difference in the times of the same pictures.
 TEST(Duel, WithoutPairsTheSamePicturesSayNothing)
 {
     const auto unpaired = [](const Duel& duel) {

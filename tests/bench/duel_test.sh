@@ -9,14 +9,15 @@ for percent in 0 900; do cp "$1/bench_slowed" "slowed_$percent"; done
 rows=(--backend openmp --fractal box --precision float --size 64x48)
 few=(--runs 4 --repetitions 4 --clock processor)
 
-# A duel detects a program with ten times the work of the other, and one with a tenth of it.
+# A duel detects that the new program has ten times the work of the old one, and that it has a tenth of it.
 expect 1 duel ./slowed_0 ./slowed_900 "${rows[@]}" "${few[@]}" --json slower.json
 grep -q '^mandelbox/float/exact/openmp/0 .*SLOWER$' out || fail "$(cat out)"
 expect 0 duel ./slowed_900 ./slowed_0 "${rows[@]}" "${few[@]}"
 grep -q '^mandelbox/float/exact/openmp/0 .*faster$' out || fail "$(cat out)"
 ! grep -q reference out || fail "the expected picture is in a duel"
 
-# With equal programs, every pair is measured. The verdicts are not checked, as other programs may disturb the machine.
+# In a duel of equal programs, every pair is measured. The verdicts are not checked, because other processes may disturb
+# the measurement.
 got=0
 "$bench" duel ./slowed_0 ./slowed_0 "${rows[@]}" --runs 2 --repetitions 3 --json pairs.json >out 2>err || got=$?
 [ "$got" -le 1 ] || fail "a duel of equal programs exited with $got: $(cat err)"
@@ -29,7 +30,7 @@ for row in duel["rows"]:
     assert row["same_picture"] and all(p["old"] > 0 and p["new"] > 0 for p in row["pairs"])
 PY
 
-# Programs that are not bench, and programs that die.
+# Tests programs that are not bench, and programs that die.
 refused 'nosuch: no program' duel ./nosuch ./slowed_0
 expect 2 duel ./slowed_0
 expect 2 duel ./slowed_0 ./slowed_0 --csv x.csv
@@ -47,7 +48,8 @@ grep -q 'the old program ended with 3' err || fail "$(cat err)"
 expect 1 duel ./slowed_0 ./babbles "${rows[@]}" --runs 2
 grep -q 'the new program does not answer as bench does' err || fail "$(cat err)"
 
-# If a program is killed, only the pairs of that run are lost. OMP_WAIT_POLICY is passive, whatever the user has set.
+# If a program is killed in a run, only the pairs of that run are lost. Programs of a duel run with a passive
+# OMP_WAIT_POLICY, whatever value the user has set.
 cat >dies_once <<'SH'
 #!/bin/sh
 echo "$OMP_WAIT_POLICY" >>policies

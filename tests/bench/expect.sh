@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sourced by tests that run bench: enters an empty folder, which is deleted on exit, and defines functions that check
-# what the program $bench does.
+# Sourced by tests that run bench. Enters an empty folder, which is deleted on exit, and defines functions that run the
+# program $bench and check its behaviour.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

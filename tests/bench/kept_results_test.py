@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""kept_results_test.py BIN SOURCE: bench reads every stored result and derives the same figures from its samples. The
-last digits may differ, as other versions of libraries round differently. Results of older builds lack the winners."""
+"""kept_results_test.py BIN SOURCE: bench reads every stored result and derives from its samples the figures that the
+result has. The last digits may differ, because other versions of libraries round differently. Results of older builds
+lack the winners."""
 import json
 import math
 import pathlib

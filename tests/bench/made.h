@@ -11,7 +11,8 @@
 
 namespace mandelmarch::bench {
 
-// Returns a row with the samples in the given order, `each` of them per run.
+// Returns a row with samples of these kernel times, in this order. Each run has `each` samples, but the last run may
+// have fewer.
 inline Row made_row(const std::string& backend, const std::vector<double>& seconds, int each = 1000)
 {
     Row row;
@@ -39,7 +40,7 @@ inline Result made_result(std::vector<Row> rows, int runs = 1)
     return derived(std::move(result));
 }
 
-// Returns how many rows are called faster or slower.
+// Returns the number of rows whose verdict is `faster` or `slower`.
 inline int called(const std::vector<Judged>& rows)
 {
     return static_cast<int>(std::ranges::count(rows, Verdict::faster, &Judged::verdict) +

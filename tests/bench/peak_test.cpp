@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Peaks are measured on simulated devices with a known rate, some of whose kernel runs are disturbed.
+// Peaks are measured on simulated devices whose rate is known. Some of a device's kernel runs are disturbed.
 #include "core/render/peak.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double seconds_per_round = 1e-7;
-constexpr double start_seconds = 1e-5;  // before the rounds of each run of the kernel
+constexpr double start_seconds = 1e-5;  // time of a kernel run before its rounds begin
 constexpr double lanes = 16;
 constexpr double true_rate = peak_operations_per_round * lanes / seconds_per_round;
 
@@ -25,7 +25,8 @@ PeakRun device(const std::function<double(int run)>& disturbance)
     return [=, run = 0](int rounds) mutable { return start_seconds + rounds * seconds_per_round + disturbance(run++); };
 }
 
-// Disturbs one kernel run, in turn each of the first 20, and returns the lowest rate that measured() gives.
+// Measures 20 devices. On the n-th of them, only the n-th kernel run is disturbed. Returns the lowest rate that
+// measured() gives.
 double worst_rate(const std::function<double(const PeakRun&)>& measured)
 {
     double worst = true_rate;
@@ -35,8 +36,8 @@ double worst_rate(const std::function<double(const PeakRun&)>& measured)
     return worst;
 }
 
-// Negative control: a method that fixes the number of rounds after the first kernel run that is long enough. If that
-// run was disturbed, the rounds are too few.
+// Negative control: a method that increases the rounds only until the first kernel run that is long enough. If that run
+// is long because it was disturbed, the rounds are too few.
 double calibrated_on_one_run(const PeakRun& run)
 {
     int rounds = 256;
@@ -86,8 +87,8 @@ bench::PeakMeasurement measurements(std::vector<double> rates)
     };
 }
 
-// Returns the record after settled_peaks(), for measurements that give these rates: one before the rounds, one after
-// them, and further ones if they are necessary.
+// Returns the record of settled_peaks() if its measurements give these rates, one after the other: the first before the
+// rounds, the second after them, further ones only if they are necessary.
 bench::PeakRecord record(const std::vector<double>& rates)
 {
     const bench::PeakMeasurement measure = measurements(rates);

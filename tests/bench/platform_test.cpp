@@ -66,7 +66,7 @@ TEST(Platform, TwoDesignsOfOneNameAreTwoPlatforms)
     ASSERT_EQ(portability(results).size(), 1U);
     EXPECT_EQ(portability(results)[0].platforms.size(), 2U);
     EXPECT_THROW(compare_results(results[0], results[1]), InputError);
-    // Negative control: if platforms had only their CPU's name, they would be one platform.
+    // Negative control: if the CPU's name alone identifies a platform, the two platforms are one.
     std::vector<Result> by_name = results;
     for (Result& result : by_name) result.rows[0].platform = result.rows[0].device_name;
     EXPECT_EQ(portability(by_name)[0].platforms.size(), 1U);
@@ -101,8 +101,8 @@ TEST(Platform, OneNameWithTwiceThePeakIsTwo)
     EXPECT_EQ(apart[2].rows[0].platform, apart[0].rows[0].platform);
 }
 
-// Two results from one boot are from the same machine, even if their peaks differ: load from another program may halve
-// a peak.
+// Two results from one boot are from the same machine, even if their peaks differ, because another program's load may
+// halve a peak.
 TEST(Platform, OneBootIsOneMachineWhateverItsPeaks)
 {
     const auto booted = [](double peak, const char* boot) {
@@ -183,7 +183,7 @@ TEST(Platform, CompareSaysWhereEnvironmentsDiffer)
               (std::vector<std::string>{"revision: a in the old result, b in the new",
                                         "compiler flags: -O3 in the old result, -O2 in the new",
                                         "driver of opencl 0: PoCL 3 in the old result, PoCL 4 in the new"}));
-    // Facts that are missing in an old file are called unknown, and any JSON in their place is accepted.
+    // A fact is called unknown if the old file lacks it or has JSON of another form in its place.
     EXPECT_EQ(differences_of({{"git", "none"}, {"backends", 5}}, {{"git", {{"revision", "b"}}}}),
               (std::vector<std::string>{"revision: unknown in the old result, b in the new"}));
 }

@@ -14,8 +14,8 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Examples from "Implications of a metric for performance portability": an application with the efficiencies 100 %,
-// 80 %, 50 %, 100 % and 20 % on five platforms, and an application that does not run on the fourth platform.
+// The first two examples are from "Implications of a metric for performance portability": an application with the
+// efficiencies 100 %, 80 %, 50 %, 100 % and 20 % on five platforms, and one that does not run on the fourth platform.
 TEST(Portability, TheMetricOfThePapers)
 {
     EXPECT_NEAR(performance_portability(std::vector{1.0, 0.8, 0.5, 1.0, 0.2}), 0.4878, 5e-5);
@@ -32,8 +32,8 @@ Row row_of(const std::string& backend, const std::string& platform, double secon
     return row;
 }
 
-// Returns results with times that give the efficiencies of that example: a second application is the fastest one on
-// every platform.
+// Returns results on five platforms. On each platform the application `best` is the fastest, and `latest` has the
+// efficiency of the paper's example. `dummy` is as fast as `latest`, but has no driver on platform D.
 std::vector<Result> example()
 {
     const std::map<std::string, std::pair<double, double>> times{
@@ -66,8 +66,8 @@ TEST(Portability, OverSeveralResultFiles)
     EXPECT_EQ(found["latest"].architecture_portability, 0) << "no peak is known";
 }
 
-// If a filter left an application out of a result, the application does not count as unsupported on that platform: its
-// set of platforms, H, lacks the platform, and the output names it.
+// If a filter left an application out of the result on a platform, the application does not count as unsupported on
+// that platform. Its set of platforms, H, lacks the platform, and the output names the platform.
 TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
 {
     std::vector<Result> results = example();
@@ -84,8 +84,8 @@ TEST(Portability, WhatWasNotMeasuredIsNotUnsupported)
     EXPECT_NE(text.find(" 1,2,3,5 "), std::string::npos);
 }
 
-// Negative control: an application does count as unsupported on a platform if it has no device in the result, runs only
-// on another platform of the result, or draws a wrong picture.
+// Negative control: an application does count as unsupported on a platform if the result on that platform shows that it
+// has no device, that it runs only on another platform, or that its picture is wrong.
 TEST(Portability, WhatRunsNowhereOrElsewhereOrWrongIsUnsupported)
 {
     std::vector<Result> results = example();
@@ -101,7 +101,7 @@ TEST(Portability, WhatRunsNowhereOrElsewhereOrWrongIsUnsupported)
     EXPECT_EQ(by_application(portability(results))["dummy"].application_portability, 0);
 }
 
-// The added result has another picture size, and so belongs to another problem.
+// The added result has another picture size. Therefore it belongs to another problem.
 TEST(Portability, AnApplicationThatNoFileHasForAProblemHasNoEntry)
 {
     std::vector<Result> results = example();
@@ -153,7 +153,7 @@ TEST(Portability, TheIntervalHoldsTheValue)
     EXPECT_GT(found.application_interval.high, found.application_portability);
 }
 
-// p3-analysis-library takes a missing line for "did not run", and fails on an empty cell.
+// p3-analysis-library, which reads this CSV, takes a missing line for "did not run", and fails on an empty cell.
 TEST(Portability, TheCsvHasALineForEachApplicationThatRuns)
 {
     std::vector<Result> results = example();

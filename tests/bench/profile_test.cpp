@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The profiler's picture equals openmp's; if it does not, the study fails with one line.
+// The profiler's picture must equal openmp's. If openmp's picture differs, the study fails with one line.
 #include "bench/harness/profile.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 bool has_packs() { return openmp::variants_of<float>("mandelbox", Mode::fast).back().pack > 1; }
 
-// Returns scenes with every look, with the eye inside the solid, and with sizes that are not multiples of a tile.
+// Returns scenes that include every look, an eye inside the solid, and sizes that are not multiples of a tile.
 std::vector<NamedScene> scenes()
 {
     std::vector<NamedScene> all = odd_scenes();
@@ -42,7 +42,8 @@ Image by_stages(const Scene& scene, Precision precision, Mode mode)
 
 class ProfiledPicture : public testing::TestWithParam<std::tuple<Precision, Mode>> {};
 
-// openmp renders without shared occlusion, because the profiler computes the occlusion of every pixel.
+// For this comparison openmp renders without shared occlusion, because the profiler computes the occlusion of every
+// pixel.
 TEST_P(ProfiledPicture, IsTheBackendsOwn)
 {
     const auto [precision, mode] = GetParam();
@@ -63,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(All, ProfiledPicture,
                          testing::Combine(testing::Values(Precision::f32, Precision::f64),
                                           testing::Values(Mode::exact, Mode::fast)));
 
-// Returns the error message of the profile for an openmp with this defect; empty if there is no error.
+// Returns the error message of the study `profile` if openmp has this defect; empty if there is no error.
 std::string complaint(Defect defect)
 {
     std::vector<std::unique_ptr<Backend>> backends;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs bench with broken backends: a wrong picture must not get a speed, and the exit code must be 1. The same backends
-// pass without the defect.
+// Runs bench with broken backends. A backend whose picture is wrong must not get a speed, and the exit code must be 1.
+// The same backends pass if they have no defect.
 #include "bench/program.h"
 
 #include <gtest/gtest.h>
@@ -127,8 +127,8 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
     EXPECT_EQ(run(Defect::not_a_number, small("fast")).code, exit_failure);
 }
 
-// `--without refinement` changes the picture slightly. bench then verifies only which pixels hit the fractal, and that
-// all values are finite.
+// `--without refinement` changes the picture slightly. Therefore bench then verifies only that the same pixels hit the
+// fractal, and that all values are finite.
 TEST(BenchProgram, AblationProvesWhatIsHit)
 {
     const auto without = [](const Ran& ran, const std::string& technique) {
@@ -145,7 +145,8 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
     EXPECT_GT(without(sound, "refinement")["verification"]["visibly_differing"],
               without(sound, "")["verification"]["visibly_differing"]);
     EXPECT_FALSE(without(sound, "refinement")["figures"].is_null());
-    // In float, `--without gradient` (normals from finite differences) is unavailable, as float is too imprecise.
+    // `--without gradient` computes normals from finite differences. It is unavailable in float, which is too
+    // imprecise.
     EXPECT_NE(without(sound, "gradient")["unavailable"], "");
     for (const Defect defect : {Defect::upside_down, Defect::not_a_number}) {
         const Ran broken = run(defect, arguments);
@@ -175,15 +176,15 @@ TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
 }
 
-// At least one of these names selects an instruction set without vectors, for which the profile is unavailable. The
-// compiler decides which names exist; others are wrong arguments.
+// The study `profile` is unavailable for an instruction set without packs. Exactly one of these names selects such a
+// set. The compiler decides which names exist; a name that does not exist is a wrong argument.
 TEST(BenchProgram, AProfileNeedsPacks)
 {
     const std::vector<std::string> arguments{"--size",  "48x40",       "--fractal", "box",           "--study",
                                              "profile", "--precision", "float",     "--repetitions", "1"};
     EXPECT_EQ(run(Defect::none, arguments).code, exit_success);
     int refused = 0;
-    for (const char* name : {"SCALAR", "EMU128", "SSE2"}) {  // Highway's names of the lowest sets
+    for (const char* name : {"SCALAR", "EMU128", "SSE2"}) {  // Highway's names of the lowest instruction sets
         ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
         const Ran ran = run(Defect::none, arguments);
         if (ran.code == exit_unavailable && ran.err.find("has no packs") != std::string::npos) ++refused;

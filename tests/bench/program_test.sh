@@ -23,7 +23,8 @@ grep -q '"runs": 3' a.json || fail "three runs are not in the result"
 [ "$(grep -c '"run": 2' a.json)" -gt 0 ] || fail "no samples of the third run"
 head -1 a.csv | grep -q '^problem,application,platform,fom,' || fail "CSV columns"
 
-# Compares two results of one build. On a shared machine, compare may report a difference; it must not fail otherwise.
+# Compares two results of one build. On a shared machine, compare may report a difference, with exit code 1. Any other
+# failure is a fault.
 expect 0 "${quick[@]}" --json b.json --runs 3
 ! grep -q '^peak, ' out || fail "a peak that was not asked for"
 code=0
@@ -31,8 +32,8 @@ code=0
 [ "$code" -le 1 ] || fail "compare exited with $code"
 grep -q '^verdicts: .*\(same\|undecided\|faster\|SLOWER\)' out || fail "compare printed no verdict"
 expect 0 compare a.json a.json
-# Makes three results from one: in the first all times are equal, in the second they are doubled, in the third a row is
-# missing. The latter two are regressions.
+# Makes three results from one: one with equal times, one with doubled times, and one without one of the rows. Compared
+# with the first, the other two are regressions.
 python3 - <<'PY'
 import json
 result = json.load(open('a.json'))
@@ -74,7 +75,8 @@ cmp a.json kept.json || fail "portability wrote over what it reads"
 expect 0 csv a.json
 cmp out a.csv || fail "csv makes other lines than --csv"
 
-# Outputs that cannot be written are refused before anything is measured. If one fails later, the others are written.
+# Outputs that cannot be written are refused before anything is measured. If an output fails later, the others are
+# written.
 expect 2 "${quick[@]}" --json nosuch/x.json
 ! grep -q verif err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
@@ -86,7 +88,7 @@ expect 1 "${quick[@]}" --fractal box --json /dev/full --csv full.csv
 grep -q '^box' out || fail "no table beside a full disk"
 [ "$(wc -l <full.csv)" -gt 1 ] || fail "no CSV beside a full disk"
 [ "$(grep -c /dev/full err)" = 1 ] || fail "the full disk is not named once"
-# If messages on stderr cannot be written, this is ignored. If the table cannot be written, bench fails.
+# bench ignores that messages cannot be written to stderr. If it cannot write the table, it fails.
 one=("${quick[@]}" --fractal box --mode exact --repetitions 1)
 "$bench" "${one[@]}" --json noted.json >out 2>/dev/full || fail "stderr on a full disk"
 grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
@@ -96,7 +98,7 @@ grep -q '^box' out && [ -s noted.json ] || fail "no result where stderr is full"
 code=0
 "$bench" --list >/dev/full 2>err || code=$?
 [ "$code" = 1 ] || fail "--list on a full disk exited with $code"
-# If the reader of a pipe closes it, there is no message, and the exit code is that of the command.
+# If the reader of a pipe closes the pipe, bench prints no message and exits as if the output had been read.
 unread() { { sleep 0.1; got=0; "$bench" "$@" 2>err || got=$?; echo $got >code; } | true; }
 unread csv a.json
 [ "$(cat code)" = 0 ] && [ ! -s err ] || fail "a pipe that nobody reads: $(cat code err)"
@@ -127,7 +129,7 @@ grep -qE 'vulkan|stdpar' out && fail "a backend that nobody asked for: $(cat out
 refused "^--backend: 'nosuch' given" --list --backend openmp,nosuch
 expect 0 --benchmark_list_tests
 expect 0 --help
-# If data is written to standard output, nothing else is.
+# If data is written to standard output, messages and tables are not.
 expect 0 "${quick[@]}" --fractal box --json -
 python3 -c 'import json; json.load(open("out"))' || fail "--json - prints more than JSON"
 expect 0 "${quick[@]}" --fractal box --benchmark_format=csv --benchmark_out=g.json
@@ -142,7 +144,7 @@ expect 0 --size 32x32 --fractal box --study ladder --repetitions 2
 expect 0 random --scenes 3 --sets 1001,77 --json random.json
 grep -q ' of 6 ' out || fail "random has no line of six scenes"
 python3 -c 'import json; assert len(json.load(open("random.json"))["scenes"]) == 24' || fail "random --json"
-# An option before a command is not ignored.
+# An option before a command is an error. It is not ignored.
 refused '^bench: --backend before peak given' --backend openmp peak
 expect 2 random --backend nosuch
 expect 2 random --scenes 0

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""progress_test.py BIN: on a terminal bench shows rounds and time left in one changing line; elsewhere it prints each
-message once."""
+"""progress_test.py BIN: if stderr is a terminal, bench shows the rounds and the time left in one line, which changes.
+Otherwise it prints each message once."""
 import os
 import pathlib
 import pty
@@ -15,7 +15,7 @@ ROWS = ["--backend", "openmp", "--fractal", "box", "--size", "64x64", "--precisi
 
 
 def on_terminal(folder, *words):
-    """Returns the output of bench with stderr on a terminal."""
+    """Runs bench with a terminal as stderr, and returns the output on the terminal."""
     master, terminal = pty.openpty()
     with open(folder / "out", "w", encoding="utf-8") as out:
         bench = subprocess.Popen([BENCH, *words], stdout=out, stderr=terminal)

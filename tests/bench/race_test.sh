@@ -15,7 +15,7 @@ for fault in right "${faults[@]}"; do
     printf '#!/bin/sh\nRACER=%s exec %s "$1"\n' "${fault/right/}" "$work/racer" >"$fault"
     chmod +x "$fault"
 done
-# A program that writes another picture from its fourth run on.
+# Makes a program that writes a wrong picture from its fourth run on.
 cat >unsteady <<SH
 #!/bin/sh
 echo run >>$work/runs
@@ -23,7 +23,7 @@ echo run >>$work/runs
 exec $work/racer "\$1"
 SH
 chmod +x unsteady
-# A program that keeps the correct picture of its first run and copies it in later runs.
+# Makes a program that keeps the correct picture of its first run and only copies it in later runs.
 cat >stale <<SH
 #!/bin/sh
 [ -e $work/kept.bmp ] || { $work/racer "\$1" && mv image.bmp $work/kept.bmp; }
@@ -41,7 +41,7 @@ grep -q '^mandelmarch openmp  *same bytes .*\] .*\] .* 0$' out || fail "$(cat ou
 says right '\(same bytes\|0.000 % off\) .*\] .*\] .* 0$'
 says nearly '[0-9.]* % off .* 0$'
 
-# The table names the fault of each faulty program and gives it no speed. Our program gets one.
+# The table names the fault of each faulty program and gives the program no speed. mandelmarch itself gets a speed.
 expect 1 race "${faults[@]/#/./}" ./unsteady ./stale ./nothing "${few[@]}" --limit 3 --json faults.json
 says wrong 'WRONG  *[0-9]* of 2400 pixels differ, [0-9]* visibly, the first at [0-9]*,[0-9]*$'
 says size 'WRONG SIZE  *61 x 40 pixels, expected 60 x 40$'
@@ -71,7 +71,7 @@ assert [p["signal"] for p in others if p["name"] == "./crashes"] == [11]
 assert [p["exit_code"] for p in others if p["name"] == "./fails"] == [3]
 PY
 
-# Wrong arguments of race.
+# Tests wrong arguments of race.
 refused 'nosuch: no program' race ./nosuch
 expect 2 race
 expect 2 race ./right --csv x.csv

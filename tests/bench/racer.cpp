@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// racer FILE.dat: a serial program that renders the Mandelbox, like one that `bench race` compares with ours. The
-// environment variable RACER selects a fault: nearly, wrong, size, silent, elsewhere, text, fails, crashes, hangs, or
-// forks (and hangs). If it is not set, there is no fault.
+// racer FILE.dat: a serial program that renders the Mandelbox, like the programs that `bench race` compares with
+// mandelmarch. The environment variable RACER selects a fault: nearly, wrong, size, silent, elsewhere, text, fails,
+// crashes, hangs, or forks (and hangs). If RACER is not set, the program has no fault.
 #include <unistd.h>
 
 #include <csignal>

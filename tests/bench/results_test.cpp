@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Result files: values that are read or rejected, derived quantities, and output in Google Benchmark's formats.
+// Tests of result files: values that are read or rejected, derived quantities, and output in Google Benchmark's
+// formats.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,8 +29,8 @@ std::string refusal_of(const std::string& text)
     return {};
 }
 
-// Ratios are computed round by round, so that the slow third round does not change them. There is no ratio of the
-// reference, which does not run the kernel.
+// Ratios are computed round by round. Therefore the slow third round does not change them. The reference has no ratio,
+// because it does not run the kernel.
 TEST(ResultFile, OtherBackendsStandBesideTheHosts)
 {
     const Result result = made_result({made_row("openmp", {1, 1, 9, 1, 1, 1, 1}),
@@ -61,8 +62,9 @@ TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
     EXPECT_NE(to_csv(derived(sweep)).find("\nmandelbox float exact 100x100 simd-width=1,openmp,"), std::string::npos);
 }
 
-// Ratios are computed round by round, so that slow rounds do not change them. The pictures of the sweep have two aspect
-// ratios. A row without a sweep value does not belong to a sweep.
+// Ratios are computed round by round. Therefore the slow round does not change them. One row of the sweep has another
+// aspect ratio, and is left out of the comparisons with the previous value. The last row has no sweep value, and does
+// not belong to the sweep.
 TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
 {
     std::vector<Row> rows{made_row("openmp", {1, 1, 9, 1, 1, 1, 1}), made_row("openmp", {3, 3, 27, 3, 3, 3, 3}),
@@ -81,7 +83,8 @@ TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
     EXPECT_DOUBLE_EQ(previous[1]["ratio"]["max"], 4);
 }
 
-// Rungs differ in backend, precision and mode, unlike the values of a sweep (negative control).
+// Each rung is compared with the rung before, although the two differ in backend, precision or mode. Negative control:
+// in any other study, such rows are not compared.
 TEST(ResultFile, RungsOfALadderStandBesideTheOneBefore)
 {
     std::vector<Row> rows{made_row("reference", {12, 12, 12, 12, 12, 12}), made_row("openmp", {6, 6, 6, 6, 6, 6}),
@@ -101,7 +104,7 @@ TEST(ResultFile, RungsOfALadderStandBesideTheOneBefore)
     EXPECT_NE(text.find("mandelbox   all together                  6.000 [6.000, 6.000]"), std::string::npos) << text;
 }
 
-// Each error is one line with the file, the place and the value.
+// Each of these values is an error, with one line that has the file, the place and the value.
 TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
 {
     const std::vector<std::pair<std::string, std::string>> changes{
@@ -164,7 +167,7 @@ TEST(ResultFile, IsReadAsItWasWritten)
     EXPECT_EQ(json_of(parse_result(text_of(json), "file.json")), json);
 }
 
-// Results of version 1 have other words, and the oldest lack what later builds measured.
+// Results of version 1 use other words for some values, and the oldest lack values that later builds measured.
 TEST(ResultFile, AnOldResultIsUpgraded)
 {
     const Result read = parse_result(R"({"schema": "mandelmarch-bench", "version": 1, "study": "packs", "seed": 1,
@@ -206,7 +209,7 @@ TEST(ResultFile, AnOldResultIsUpgraded)
     EXPECT_FALSE(counted.errors);
 }
 
-// The share of peak has the same relative error as the number of operations.
+// The share of the peak has the same relative standard error as the number of operations.
 TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
 {
     Result result = parse_result(text_of(with_counts()), "file.json");
@@ -242,7 +245,7 @@ TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
     EXPECT_EQ(parse_result(text_of(json_of(result)), "file.json").rows[0].samples.size(), seven.size());
 }
 
-// Returns a row whose parts sum to the fraction 1 - `share` of the wall time.
+// Returns a row in whose samples the fraction `share` of the wall time belongs to none of the measured parts.
 Row leaving(double share)
 {
     Row row = made_row("leaves", {0.1, 0.1, 0.1});
@@ -255,8 +258,8 @@ bool is_named(const Row& row)
     return to_console(made_result({row}), false).find("leave more than 5.0%") != std::string::npos;
 }
 
-// If a sample consists of several pictures from a fresh renderer, its wall time includes opening the device and
-// building kernels, which are not among the sample's parts. So nothing is reported.
+// If a sample consists of several pictures (`frames`), its wall time also includes opening the device and building
+// kernels, for which the sample has no parts. Therefore nothing is reported for such a row.
 TEST(Parts, ThatLeaveMoreThanALittleOfTheWallTimeAreReported)
 {
     Row row = leaving(0.25);
@@ -268,8 +271,8 @@ TEST(Parts, ThatLeaveMoreThanALittleOfTheWallTimeAreReported)
     EXPECT_FALSE(is_named(row));
 }
 
-// The row `median` has the median of the repetitions of all runs. Counters are not divided by the number of
-// repetitions.
+// The row `median` has the median over the repetitions of all runs. The counters in it, such as `wall`, are not divided
+// by the number of repetitions.
 TEST(GoogleBenchmark, TheMedianRowIsTheMedianOfTheRepetitions)
 {
     for (const int each : {1000, 3}) {
@@ -282,7 +285,7 @@ TEST(GoogleBenchmark, TheMedianRowIsTheMedianOfTheRepetitions)
         EXPECT_EQ(median["name"], "mandelbox/float/exact/openmp/0/iterations:1/manual_time_median");
         EXPECT_NEAR(median["real_time"], 13, 1e-9);
         EXPECT_NEAR(median["wall"], 0.026, 1e-12);
-        // name,iterations,real_time
+        // The columns begin with name,iterations,real_time.
         const std::string csv = to_google_benchmark(result, "csv");
         const std::string line = csv.substr(csv.find("_median\","));
         EXPECT_NEAR(std::stod(line.substr(line.find(',', line.find(',') + 1) + 1)), 13, 1e-9);

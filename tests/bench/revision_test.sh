@@ -12,7 +12,8 @@ echo a >report/results/bench.json
 echo a >bench/source.cpp
 git add .
 git -c user.name=test -c user.email=test@test commit -qm one
-# dirty CMAKE SOURCE EXPECTED WHAT: generates the header and checks its mark. WHAT is printed on failure.
+# dirty CMAKE SOURCE EXPECTED WHAT: generates the header and checks that MANDELMARCH_DIRTY is EXPECTED in it. WHAT is
+# printed on failure.
 dirty() {
     "$1" -DSOURCE="$work" -DOUTPUT="$work/out/revision.h" -P "$2/cmake/Revision.cmake"
     grep -q "MANDELMARCH_DIRTY $3" out/revision.h || fail "$4: $(cat out/revision.h)"

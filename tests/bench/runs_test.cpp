@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies of several runs, of which some may leave no result: the samples are merged.
+// The samples of a study's runs are merged. Some runs may leave no result.
 #include "bench/harness/runs.h"
 
 #include <gtest/gtest.h>

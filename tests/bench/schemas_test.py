@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""schemas_test.py BIN SOURCE [FILE...]: every JSON file below SOURCE/report/results, files written by the programs, and
-the given ones follow the schema of their kind. Every schema rejects a file with a missing or an additional key, or with a
-value of another type.
-`bench schema` prints the stored schemas of its kinds."""
+"""schemas_test.py BIN SOURCE [FILE...]: the JSON files below SOURCE/report/results, the files that the programs write,
+and each FILE follow the schema of their kind. Every schema rejects a file with a missing key, with an additional key,
+or with a value of another type. `bench schema KIND` prints the stored schema."""
 import json
 import os
 import pathlib
@@ -34,7 +33,7 @@ GENERATED = ("duel", "equivalence", "portability", "race", "random", "result")
 
 
 def kind_of(data):
-    """Returns the schema's name, determined from the file's content."""
+    """Returns the name of the schema for a file with the content `data`."""
     if isinstance(data, list):
         return "portability"
     if "format" in data:
@@ -65,7 +64,7 @@ def check_twins(kind, data):
 
     for key in whole:
         without = {other: value for other, value in whole.items() if other != key}
-        assert refused(without) or key == "winners", f"{kind} without {key}"  # results of older builds have none
+        assert refused(without) or key == "winners", f"{kind} without {key}"  # results of older builds have no winners
         assert refused(whole | {key: [None]}), f"{kind} with a list as {key}"
     assert refused(whole | {"nosuch": 1}), f"{kind} with a key too many"
 
@@ -108,6 +107,6 @@ with tempfile.TemporaryDirectory() as folder:
         seen[check(path, data)] = data
 for kind, data in seen.items():
     check_twins(kind, data)
-unseen = set(SCHEMAS) - set(seen) - {"environment"}  # a part of other files
+unseen = set(SCHEMAS) - set(seen) - {"environment"}  # an environment is only a part of other files
 assert not unseen, f"no file for the schemas of {unseen}"
 print("fine:", ", ".join(sorted(seen)))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // bench with a slower openmp, for tests of duels. The number at the end of the program's name is the added time in
-// percent: slowed_3 takes 3 % longer. The pictures are the same.
+// percent: slowed_3 takes 3 % longer than bench. The pictures are bench's.
 #include <algorithm>
 #include <ctime>
 #include <memory>

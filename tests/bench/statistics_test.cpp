@@ -31,8 +31,8 @@ TEST(Statistics, MedianAndDeviation)
     EXPECT_EQ(s.count, 7);
 }
 
-// Ranks of the sign test's interval, computed from the binomial distribution: the number of values n, and the rank of
-// the interval's lower end.
+// Each pair has a number of values n and the rank of the lower end of the sign test's interval. The ranks were computed
+// from the binomial distribution.
 TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
 {
     for (const auto& [n, rank] : {std::pair(6, 1), {8, 1}, {9, 2}, {10, 2}, {15, 4}, {20, 6}, {25, 8}, {40, 14}}) {
@@ -59,9 +59,9 @@ TEST(Statistics, Holm)
     EXPECT_EQ(holm(std::vector<double>{0.9, 0.8})[0], 1);
 }
 
-// The values have the logarithms -1, 0, 1 and 1, 2, 3: the means differ by 2, and the variance of each mean is 1/3. So
-// t = 2 / sqrt(2/3) = 2.449 with 4 degrees of freedom, and without a margin the two-sided p is 0.0705 (tables of
-// Student's t).
+// The values have the logarithms -1, 0, 1 and 1, 2, 3. The means differ by 2, and the variance of each mean is 1/3.
+// Therefore t = 2 / sqrt(2/3) = 2.449 with 4 degrees of freedom. By tables of Student's t, the two-sided p without a
+// margin is 0.0705.
 TEST(Statistics, WelchByHand)
 {
     const std::vector<double> a{std::exp(-1.0), 1, std::exp(1.0)};
@@ -85,8 +85,8 @@ TEST(Statistics, EqualNumbersDifferOrNot)
 
 TEST(RunInterval, ByHand)
 {
-    // Logarithms -1, 0, 1: mean 0, standard error 1 / sqrt(3), and 4.3027 is the 97.5th percentile of t with two
-    // degrees of freedom.
+    // The logarithms -1, 0, 1 have the mean 0 and the standard error 1 / sqrt(3). The 97.5th percentile of t with two
+    // degrees of freedom is 4.3027.
     const auto interval = run_interval(std::vector{std::exp(-1.0), 1.0, std::exp(1.0)});
     ASSERT_TRUE(interval);
     EXPECT_NEAR(std::log(interval->high), 4.3027 / std::sqrt(3.0), 1e-3);
@@ -106,7 +106,7 @@ TEST(RunInterval, HoldsTheMedianOfAll)
     EXPECT_GE(s.interval->high, 2);
 }
 
-// An interval of the median needs six rounds, and is valid for any distribution.
+// The quotient's interval is that of the median over rounds. It needs six rounds.
 TEST(QuotientOfOneRun, HasTheIntervalOfTheRoundsMedian)
 {
     const ValuesByRun row{{0, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}};

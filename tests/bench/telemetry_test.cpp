@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Telemetry of a simulated machine: values, and the reasons why values are missing.
+// Telemetry of a simulated machine has values, or the reasons why they are missing.
 #include "bench/machine/telemetry.h"
 
 #include <gtest/gtest.h>

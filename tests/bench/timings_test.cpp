@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double rounding = 1e-6;  // seconds; rounding error of a sum of differences of clock readings
+constexpr double rounding = 1e-6;  // seconds; largest rounding error of the sum of a picture's parts
 
 TEST(Timings, PartsAreApartAndWithinTheWallTime)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All timed scenes must give nearly the same picture with any stepping. If a picture is noise, its speed means nothing.
+// All timed scenes must give nearly the same picture with any method of stepping along rays. If a picture is noise, its
+// speed means nothing.
 #include "bench/study/views.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,9 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr int side = 90;  // pixels; fewer give no meaningful fraction, and the reference takes seconds for a close-up
+// Side of the pictures in pixels. Smaller pictures give no meaningful fraction of pixels. The reference already takes
+// seconds for a close-up of this size.
+constexpr int side = 90;
 
 double percent_off(const Scene& scene, Precision precision)
 {

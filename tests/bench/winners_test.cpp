@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last lines of a study's output, which name the winners, for synthetic results with a known winner.
+// The last lines of a study's output name the winners. Here the results are synthetic, with known winners.
 #include "bench/judge/winners.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns a row with times of about `seconds`. The speeds of its runs scatter by the fraction `spread`.
+// Returns a row with times of about `seconds`. The times of different runs differ by the fraction `spread`.
 Row raced(const std::string& backend, double seconds, double spread, int runs = 5)
 {
     std::vector<double> times;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases of cuda on a simulated GPU (tests/openacc/simulated_cuda.c), which runs the PTX that nvcc wrote into the program:
-# pictures have the bits of the scalar kernel, and a missing or failing GPU gives one line and the right exit code.
+# Cases of cuda on a simulated GPU (tests/openacc/simulated_cuda.c), which runs the PTX that nvcc wrote into the
+# program. Pictures have the bits of the scalar kernel. If the GPU is missing or fails, the program prints one line and
+# exits with the right code.
 backend=cuda
 wrote=nvcc
 . "$(dirname "$script")/../openacc/simulated.sh"
@@ -43,7 +44,7 @@ test_failures() {
     done
     SIMULATED_FAULT=version expect 77 bulb --output b.png
     says "NVIDIA's driver is for CUDA 11.4, the kernels need one for CUDA [0-9.]* or newer"
-    # A driver that lacks most functions.
+    # Makes a driver that lacks most functions.
     mkdir none
     echo 'int cuInit(unsigned f) { return 100; }' >none.c
     driver none none.c || fail "building the old driver"

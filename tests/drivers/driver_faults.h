@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of a driver under test, selected by MANDELMARCH_MISCONDUCT: "STAGE ACTION", for example `build abort`. Stages:
-// load, enumeration, build, launch, map, release. Actions: abort, crash, exit, hang, garbage, speak (print a line
-// twice and continue).
+// Faults of a driver under test. MANDELMARCH_MISCONDUCT selects a fault as "STAGE ACTION", for example `build abort`.
+// Stages: load, enumeration, build, launch, map, release. Actions: abort, crash, exit, hang, garbage, speak (print a
+// line twice and continue).
 #pragma once
 
 #include <unistd.h>
@@ -19,12 +19,13 @@ inline bool asked(std::string_view stage, std::string_view action)
     return wanted != nullptr && std::string(stage).append(" ").append(action) == wanted;
 }
 
-// Returns true if this stage must return garbage. Does not return if the selected action ends the process or hangs.
+// Does the action that is selected for this stage, if any. Returns true if the stage must return garbage. Does not
+// return if the action ends the process or hangs.
 inline bool driver_faults(std::string_view stage)
 {
     if (asked(stage, "abort")) std::abort();
     if (asked(stage, "crash")) {
-        // Access invalid memory: the signal handlers of some drivers ignore a signal that was only raised.
+        // Accesses invalid memory, because the signal handlers of some drivers ignore a signal that was only raised.
         volatile int* nothing = nullptr;
         *nothing = 0;
     }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases run by tests/cases.sh with BIN SOURCE API FAULTS: drivers of OpenCL or Vulkan that abort, crash, exit, hang or
-# return garbage while they are loaded, list devices, build, launch, map or are released. Either the picture must exist,
-# or the exit code must report a failure. Other backends must not be affected. FAULTS: the shim of opencl_faults or the
-# folder of vulkan_faults' layer.
+# Cases run by tests/cases.sh with BIN SOURCE API FAULTS. A driver of OpenCL or Vulkan aborts, crashes, exits, hangs or
+# returns garbage while it is loaded, lists devices, builds, launches, maps or is released. Either the picture must
+# exist, or the exit code must report a failure. Other backends must not be affected. FAULTS: the shim of opencl_faults
+# or the folder of vulkan_faults' layer.
 bin=$1
 source=$2
 api=$3
@@ -26,8 +26,8 @@ with() {
 draw=("$bin/render" --fractal box --size 40x30 "$source/paramsBox.dat" --backend "$api" --output picture.bmp)
 measure=("$bin/bench" --fractal box --precision float --mode exact --size 32x32 --repetitions 1)
 
-# refused STAGE ACTION TEXT: expects code 1, one line that contains the text, no picture. Runs in a folder of its own,
-# so that several can run at the same time.
+# refused STAGE ACTION TEXT: renders and expects exit code 1, one line that contains the text, and no picture. Uses its
+# own folder, so that several calls can run at the same time.
 refused() {
     (
         mkdir "$1-$2"
@@ -38,7 +38,7 @@ refused() {
     )
 }
 
-# drawn STAGE ACTION: expects the good driver's picture.
+# drawn STAGE ACTION: expects the picture that is rendered without the fault.
 drawn() {
     expect 0 "${draw[@]}"
     mv picture.bmp good.bmp
@@ -46,7 +46,8 @@ drawn() {
     same_picture good.bmp picture.bmp
 }
 
-# listed STAGE ACTION TEXT: expects that --list-devices lists the other backends and reports that this one has failed.
+# listed STAGE ACTION TEXT: expects that --list-devices lists the other backends, and reports for the driver's backend
+# that it has failed.
 listed() {
     with "$1" "$2" "$bin/render" --list-devices >stdout 2>stderr
     [ $? = 1 ] || fail "$1, $2: a list with another exit code than 1"
@@ -55,8 +56,8 @@ listed() {
     [ "$(wc -l <stdout)" -ge 5 ] || fail "$1, $2: $(wc -l <stdout) rows"
 }
 
-# ends ACTION HOW: expects, for each stage, messages with HOW if the driver ends its process by ACTION.
-# unit/isolation_test.cpp tests more ways to end.
+# ends ACTION HOW: expects for each stage that, if the driver ends its process by ACTION, the message contains HOW.
+# unit/isolation_test.cpp tests more ways in which a process can end.
 ends() {
     local stage
     for stage in load enumeration build launch map; do refused $stage "$1" "ended the device's process while .*$2"; done
@@ -67,7 +68,7 @@ test_abort() { ends abort 'signal 6'; }
 test_crash() { ends crash 'signal 11'; }
 test_exit() { ends exit 'exit code 0'; }
 
-# Hangs take long, so they run at the same time.
+# The stages run at the same time, because each hang takes seconds.
 test_hang() {
     export MANDELMARCH_DEVICE_TIMEOUT=4
     for stage in load enumeration build launch map; do refused $stage hang 'no answer within 4 s' & done
@@ -103,7 +104,7 @@ test_left_out() {
     prints '^openmp *0: '
 }
 
-# Drivers that return garbage: a device name is printed in one line without control characters; a kernel that cannot be
+# A driver returns garbage. A device's name is printed in one line without control characters. A kernel that cannot be
 # built is an error.
 test_garbage() {
     expect 0 with enumeration garbage "$bin/render" --list-devices

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Broken backends must fail the checks that real backends pass, on the tests' scenes and on random ones. The same
-// backends pass without the defect.
+// Real backends pass the equivalence checks. Backends with a defect must fail them, on the tests' scenes and on random
+// scenes. The same backends pass if they have no defect.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 namespace mandelmarch {
 namespace {
 
-// last_picture: the previous picture is returned if it has the same size. other_work: no work is reported.
+// last_picture: returns the previous picture if it has the right size. other_work: does not report any work.
 enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down, other_work, error };
 
 class BrokenRenderer : public Renderer {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The skeleton's kernel with a wrong fold, and with contraction enabled.
+// Two broken versions of the skeleton's kernel: one has a wrong fold, the other is compiled with contraction.
 #pragma once
 
 #include "backends/skeleton/kernel.h"
 
 namespace mandelmarch::skeleton {
 
-// Returns the broken kernel of a variant, "wrong_fold_PRECISION" or "contracted_PRECISION".
+// wrong_fold() and contracted() return a broken kernel. `variant`: "wrong_fold_PRECISION" or "contracted_PRECISION".
 template <class Real>
 DrawBand<Real>* wrong_fold(std::string_view variant);
 template <class Real>

@@ -11,7 +11,7 @@
 
 namespace mandelmarch {
 
-// One line of the printed table: the result of all scenes of a fractal with one backend, device, precision and mode.
+// A line of the printed table: the result for all scenes of a fractal with one backend, device, precision and mode.
 struct EquivalenceRow {
     std::string fractal;
     std::string backend;
@@ -21,7 +21,7 @@ struct EquivalenceRow {
     int scenes = 0;
     Level level = Level::same_bits;  // of the worst scene
     std::uint64_t pixels = 0;
-    std::uint64_t differing = 0;  // in a bit of colour or depth, or a byte
+    std::uint64_t differing = 0;  // pixels that differ in a bit of colour or depth, or in a byte
     double largest_ulps = 0;
     std::string first;  // the first differing pixel with both values; empty if none differs
 
@@ -43,8 +43,8 @@ private:
     std::map<std::string, Image> pictures_;
 };
 
-// Renders those of `scenes` that have this fractal, all with one renderer, and compares them with the expected
-// pictures. Throws what the backend throws.
+// Renders the scenes that have this fractal, all with one renderer, and compares the pictures with the expected ones.
+// Throws what the backend throws.
 EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,
                      const std::vector<NamedScene>& scenes, Expected& expected);
 

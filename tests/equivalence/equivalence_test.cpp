@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests all backends, devices, fractals, precisions and modes that are found at run time. In exact mode every bit of
-// colour and depth must equal the scalar kernel's. In fast mode the picture must be the canonical one, without visible
-// differences.
+// colour and depth must equal the scalar kernel's. In fast mode at most 2 % of the pixels may differ visibly from the
+// canonical picture.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -37,8 +37,8 @@ std::vector<NamedScene> fast_scenes()
     return scenes;
 }
 
-// On CI machines every backend has a device, at least the CPU. If a backend of this build has none, its driver is
-// missing.
+// On CI machines every backend must have a device, which is at least the CPU. If a backend of this build has no device,
+// its driver is missing.
 TEST(Equivalence, EveryBackendOfThisBuildHasADevice)
 {
     const Registry registry = all_backends();
@@ -83,7 +83,8 @@ private:
             EXPECT_TRUE(row.passed()) << to_text(row);
             EXPECT_GT(row.scenes, 0);
         } catch (const Unavailable& error) {
-            // Some devices do not support double, for example. If a backend has no device at all, the test above fails.
+            // Some devices lack a feature, for example double. A backend without any device fails the test
+            // EveryBackendOfThisBuildHasADevice.
             fmt::print("{:<10} {:<9} unavailable: {}\n", fractal.short_name, backend.name(), error.what());
         }
     }
@@ -106,8 +107,8 @@ TEST(Equivalence, EveryBackendDrawsTheSamePicture)
     every.check_all(*make_skeleton_backend());
 }
 
-// A picture that has only bytes is read back from a device by another path than a picture with values. The sizes are
-// chosen so that words and work groups are partly filled.
+// Backends copy a picture that has only bytes from a device in another way than a picture with values. With these sizes
+// the last word and the last work group are only partly filled.
 TEST(Equivalence, BytesAloneAreThoseOfTheValues)
 {
     const Registry registry = all_backends();

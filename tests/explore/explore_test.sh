@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# explore_test.sh BIN SOURCE [SHIM]: tests the explorer in a window on its own X server, controlled by input events. It
-# flies, renders on every backend, compares, exports pictures equal to bin/render's, records a path that flythrough
-# accepts, and survives drivers that die or hang. Without Xvfb, SDL's dummy window is used.
+# explore_test.sh BIN SOURCE [SHIM]: tests the explorer in a window on an X server of its own, controlled by input
+# events. The explorer flies, renders on every backend, compares, exports pictures equal to bin/render's, records a path
+# that flythrough accepts, and survives drivers that die or hang. SHIM: the shim of opencl_faults. Without Xvfb, SDL's
+# dummy window is used.
 set -uo pipefail
 bin=$1
 source=$2
@@ -36,8 +37,8 @@ play() {
     [ $code = 0 ] || fail "$name: exit code $code: $(head -c 500 "$name.err")"
 }
 
-# of NAME LINE EXPRESSION: prints the value of a Python expression. In it, t is the output of the LINE-th `tell` of
-# NAME.
+# of NAME LINE EXPRESSION: prints the value of a Python expression, in which t is the output of the LINE-th command
+# `tell` of the script NAME.
 of() {
     sed -n "$2p" "$1.out" | python3 -c 'import json, sys
 t = json.load(sys.stdin)
@@ -99,9 +100,9 @@ fi
 "$bin/render" view-001.dat --fractal box --output view.png 2>/dev/null || fail "hand: the view cannot be drawn"
 [ "$(ls -- *.part* .*tmp* 2>/dev/null | wc -l)" = 0 ] || fail "hand: unfinished files are left"
 
-# A path is recorded, smoothed, audited in the background, saved and opened again. flythrough's audit finds that it
-# keeps its promises, and flythrough renders it. A path has 30 frames per second, the screen about 60: 180 frames of the
-# screen give about 90 of the path.
+# A path is recorded, smoothed, audited in the background, saved and opened again. flythrough's audit finds that the
+# path keeps its promises, and flythrough renders it. A path has 30 frames per second, and the screen about 60.
+# Therefore the 180 frames of the screen give a path of about 90 frames.
 cat >path.txt <<'END'
 rest
 key Ctrl+R
@@ -132,7 +133,7 @@ is path 3 't["path"]["at"] > 30' True
 "$bin/flythrough" render path-001.json --stills stills --every 30 --size 64x36 >/dev/null 2>stills.err &&
     [ "$(ls stills/*.png | wc -l)" -gt 2 ] || fail "path: no stills: $(cat stills.err)"
 
-# Renders on every backend that has a device, one after the other, then in four panes.
+# Renders on each backend that has a device, one after the other. Then renders in four panes.
 {
     printf 'rest\ntasks\n'
     "$bin/render" --list-devices | grep -v 'unavailable\|FAILED' | while read -r _; do printf 'key F4\nrest\ntell\n'; done
@@ -146,7 +147,8 @@ printf '%s\n' rest 'key F9' 'key F9' 'key F9' rest tell 'key F5' rest tell 'shoo
 play panes --fractal box --size 400x300
 is panes 1 'len(t["panes"])' 4
 is panes 1 't["panes"][1]["differing"] > 0' True
-# F5 switches the fourth pane back to float. It then differs from the first pane in as many pixels as the third pane.
+# F5 switches the fourth pane back to float. The fourth pane then differs from the first pane in as many pixels as the
+# third pane does.
 is panes 2 't["panes"][2]["differing"] == t["panes"][3]["differing"]' True
 
 # An error appears as a line in the window or on stderr.

@@ -30,7 +30,7 @@ constexpr double tick = 1.0 / 60;  // seconds
 
 Scene official(const char* name) { return official_scene(fractal_named(name), 16, 9); }
 
-// Flies straight ahead for a minute at maximum speed. Returns the smallest clearance.
+// Flies straight ahead for a minute at maximum speed. Returns the smallest clearance on the way.
 double clearance_after_a_minute(Motion& motion, Scene& scene)
 {
     motion.speed = 16;
@@ -51,7 +51,7 @@ TEST(ExploreMotion, WallsStopTheFlight)
     }
 }
 
-// Negative control: without the stop at walls, such a flight enters the solid.
+// Negative control: without the stop at walls, a flight straight ahead enters the solid.
 TEST(ExploreMotion, AFlightThroughWallsIsInside)
 {
     Scene scene = official("bulb");
@@ -107,7 +107,7 @@ TEST(ExplorePace, PicturesFitTheTimeThatThereIs)
     EXPECT_EQ(resolution.size(960, 540, 1), std::pair(960, 540));
 }
 
-// Returns a path as flown with an unsteady hand, and faster than the audit allows.
+// Returns a path like one that is flown with an unsteady hand, and faster than the audit allows.
 Path unsteady()
 {
     Path path;

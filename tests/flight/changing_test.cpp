@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flights through a fractal that changes its shape: keyframes, plans, and faults that an audit must find.
+// Flights through a fractal that changes its shape: schedules of the change, plans, and faults that an audit must find.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ const Path& planned()
 const std::string solid = "frames inside solid";
 const std::string walls = "largest change of DE between frames by the shape";
 
-// Returns the largest change of the rate from one frame to the next.
+// Returns the largest change, from one frame to the next, of the rate at which the value changes.
 template <class Value>
 double rate_jump(Value value)
 {
@@ -44,7 +44,8 @@ TEST(Schedule, GoesFromValueToValueWithoutJumpsInItsRate)
     const Schedule back = scale("1s=2,5s=2.4,8s=2");
     for (const auto& [frame, value] : {std::pair{0.0, 2.0}, {30.0, 2.0}, {150.0, 2.4}, {240.0, 2.0}, {299.0, 2.0}})
         EXPECT_NEAR(back.value(frame), value, 1e-6) << frame;
-    // The largest rate of change is 1.5 times the mean rate, which is 0.4 in 90 frames.
+    // The value changes fastest where it changes by 0.4 in 90 frames. There the largest rate is 1.5 times the mean
+    // rate.
     const double rate = 1.5 * 0.4 / 90;
     EXPECT_LT(rate_jump([&](int f) { return back.value(f); }), 0.05 * rate);
     // Negative control: with linear interpolation the rate jumps.
@@ -54,7 +55,7 @@ TEST(Schedule, GoesFromValueToValueWithoutJumpsInItsRate)
     EXPECT_FALSE(Schedule{}.changes());
 }
 
-// plan() refuses these shapes, also if they do not change.
+// plan() refuses these shapes, even if they do not change during the flight.
 TEST(Plan, RefusesShapesThatCannotBeFlownThrough)
 {
     for (const double value : {0.5, -0.5, 0.9}) {
@@ -106,8 +107,8 @@ TEST(ChangingPlan, KeepsEveryPromiseAndItsValues)
     const auto value = [&](std::size_t i) { return scene_of(path, path.frames[i], 16, 9).shape[0]; };
     EXPECT_EQ(value(0), 2);
     EXPECT_EQ(value(frames - 1), static_cast<float>(2.03));
-    // The value never decreases, and its rate does not jump: its changes are small compared with the mean rate, 1e-4
-    // per frame.
+    // The value never decreases, and its rate does not jump: from frame to frame the rate changes by little, compared
+    // with the mean rate, 1e-4 per frame.
     for (std::size_t i = 1; i < frames; ++i) EXPECT_GE(value(i), value(i - 1));
     EXPECT_LT(rate_jump([&](int f) { return value(static_cast<std::size_t>(f)); }), 1e-5);
     EXPECT_EQ(to_text(path), to_text(path_from_text(to_text(path), "a.json")));
@@ -118,13 +119,13 @@ TEST(ChangingPlan, IsTheSameOnAnyNumberOfThreads)
     EXPECT_EQ(to_text(planned()), to_text(plan(official_scene("box", 16, 9), scale("2:2.03"), 4, frames, 1).path));
 }
 
-// A path is planned for one shape, but the shape changes during the flight. The audit must detect that the camera hits
-// the fractal.
+// A path is planned for a constant shape, but then the shape changes during the flight. The audit must detect a broken
+// promise.
 TEST(ChangingAudit, FindsOutAPathThatKnowsNothingOfTheChange)
 {
     Path path = plan(official_scene("box", 16, 9), {}, 9, frames, 0).path;
     ASSERT_TRUE(audit_promises(path, 0).promises_kept());
-    // With this change of the scale the size of the hull grows from 6 to 8.7.
+    // With this change of the scale, the hull's size grows from 6 to 8.7.
     const Schedule schedule = scale("2:1.6");
     for (std::size_t i = 0; i < path.frames.size(); ++i)
         path.frames[i].changes.shape = {static_cast<float>(schedule.value(static_cast<double>(i))), 0.5, 1};
@@ -139,8 +140,9 @@ TEST(ChangingAudit, FindsOutAShapeThatJumps)
     EXPECT_FALSE(row_of(audit_promises(path, 0), walls).kept());
 }
 
-// A wall sweeps over a camera that stands still: the camera is outside the solid at first and in the end, but not in
-// between. The audit must detect this.
+// The fractal changes its shape between two frames, and its wall sweeps over the camera. At both frames the camera is
+// outside the solid, but between them it is inside. The audit must detect this. Negative control: at places that stay
+// outside, it must not.
 TEST(ChangingAudit, FindsOutAWallThatSweepsOverTheCamera)
 {
     Path path;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of films have converged. They are compared with the solid as found from orbits, which does not depend on any
-// distance estimate, and with pictures rendered with short steps.
+// Frames of films have converged: shorter steps do not change them. They are compared with pictures rendered with short
+// steps, and with the solid, which is computed from orbits, without any distance estimate.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,8 +21,8 @@ struct Place {
     Vector eye, target, up;
 };
 
-// Frames of a flight whose pictures were torn with the original estimate: two ordinary frames, and four close to the
-// poles, where the original estimate is up to forty times too large.
+// Frames of a flight. With the original estimate, pictures of this flight were torn. Two frames are ordinary, and four
+// are close to the poles, where the original estimate is up to forty times too large.
 constexpr Place places[] = {
     {300, {0.749212, 0.017614, -0.18735}, {0.622715, 1.00784, -0.246075}, {0.973194, 0.135348, 0.18594}},
     {2400, {0.487458, -0.613873, -0.206735}, {0.112059, 0.0470196, 0.443108}, {0.85201, -0.0299708, 0.522667}},
@@ -63,8 +63,8 @@ bool is_solid(Vector p, int iterations)
     return true;
 }
 
-// Returns the depth at which a ray from the eye enters the solid, found with steps of 0.15 tolerances; infinity if it
-// does not enter it.
+// Returns the depth at which a ray from the eye enters the solid, or infinity if it does not. Searches with steps of
+// 0.15 tolerances.
 double entry(const Scene& scene, Vector direction, double tolerance)
 {
     constexpr double begin = 0.003;
@@ -122,7 +122,7 @@ TEST(Truth, FramesAreThoseOfShortSteps)
     EXPECT_FALSE(torn.back().kept()) << torn.back().value;
 }
 
-// If pixels use the occlusion of their neighbours, there is less work, and the picture is nearly the same.
+// If pixels share the occlusion of their neighbours, rendering is less work, and the picture is nearly the same.
 TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
 {
     const Registry registry = all_backends();
@@ -144,8 +144,8 @@ TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
     EXPECT_GT(c.differing, 0U);
 }
 
-// A picture of a crop window equals that part of the whole picture. Rays through the pixels' centres (`centred`) are
-// rays of a picture of twice the size: every second one, in both directions.
+// The picture of a crop window equals that part of the whole picture. If rays go through the pixels' centres
+// (`centred`), they are every second ray, in both directions, of a picture of twice the size.
 TEST(Film, PartsAndMiddlesAreThoseOfAWholePicture)
 {
     const Registry registry = all_backends();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The director: the gaze over time, the panoramas from which it is chosen, and the speed of the flight.
+// Tests the director, which chooses the gaze over time from panoramas, and the speed of the flight.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ TEST(Sphere, DirectionsAreSpreadEvenly)
         sum = sum + direction;
     }
     EXPECT_LT(length(sum), 1);
-    // A cap of a sphere, up to an angle of 0.3 radians from its middle, covers (1 - cos 0.3) / 2 of the sphere.
+    // The part of a sphere within an angle of 0.3 radians of a direction is (1 - cos 0.3) / 2 of the sphere.
     const double expected = 500 * (1 - std::cos(0.3)) / 2;
     for (int d = 0; d < 500; ++d) {
         EXPECT_EQ(sphere.near(d).front(), d);
@@ -76,7 +76,7 @@ TEST(Panorama, SeesTheFractalWhereItIs)
     EXPECT_TRUE(std::isinf(depth(1, {0, 0, -1})));
 }
 
-// Negative control: a camera that always looks ahead, past the fractal, shows less.
+// Negative control: a camera that always looks ahead, past the fractal, shows less of the fractal.
 TEST(Director, ShowsMoreThanLookingAhead)
 {
     const Passing way;
@@ -94,7 +94,7 @@ TEST(Director, TurnsSlowlyAndStaysNearTheMotion)
     const auto gaze = smoothed_gaze(way.flown, Director(way.shapes, way.track).gaze(way.flown, frames));
     for (std::size_t i = 1; i < gaze.size(); ++i) {
         EXPECT_LT(degrees_between(gaze[i - 1], gaze[i]), 1.2);
-        // During the first three seconds the gaze turns away from the fractal's middle.
+        // The first frames are not checked: the gaze begins at the fractal's middle and turns away from it.
         if (i > 150) {
             EXPECT_LT(degrees_between(gaze[i], ahead(way.flown, i, 1)), 70);
         }
@@ -113,11 +113,12 @@ TEST(Director, KnowsHowFarThePictureMoves)
     }
 }
 
-// The camera is slow near a wall, and its acceleration does not jump. Negative control: with a step in speed it does.
+// The camera is slow near a wall, and its acceleration does not jump. Negative control: if the speed jumps, the limit
+// is exceeded.
 TEST(Trajectory, ChangesItsSpeedWithoutKinks)
 {
     const Passing way;
-    // Returns the largest third difference of the positions, in clearances.
+    // Returns the largest third difference of the positions, divided by the clearance.
     const auto jerk = [&](const std::vector<Vector>& at) {
         double worst = 0;
         for (std::size_t i = 3; i < at.size(); ++i) {

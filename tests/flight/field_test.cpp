@@ -25,8 +25,8 @@ std::vector<Vector> places(int count)
     return places;
 }
 
-// Returns, as bits, the distances at points, and the ends of rays that start twice as far away as the points and go
-// towards the middle.
+// Returns, as bits, the distances at points and the ends of rays. For each point, a ray starts twice as far from the
+// middle as the point and goes towards the middle.
 std::vector<std::uint64_t> bits_of(const DistanceField& field)
 {
     const std::vector<Vector> points = places(1001);  // not a multiple of a pack
@@ -80,7 +80,7 @@ TEST(DistanceField, TheSameBitsInEveryInstructionSet)
             EXPECT_EQ(bits_of(DistanceField(scene, 1)), expected) << name << ", " << hwy::TargetName(target);
         }
         hwy::SetSupportedTargetsForTest(0);
-        // Both the scalar kernel, which has one lane, and packs were tested.
+        // The loop has tested both the scalar kernel, which has one lane, and packs.
         EXPECT_TRUE(lanes.contains(1));
         EXPECT_GT(lanes.size(), 1U);
         // Negative control: the bits differ for a scene whose shape differs by a millionth.

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases of flythrough: which files films and stills create and keep, and errors that must be reported before the work.
+# Cases of flythrough: the files that films and stills create and keep, and errors that must be reported before
+# rendering.
 . "$(dirname "$script")/films.sh"
 
-# The segment store of a film that is not joined yet is damaged in several ways; the film must be complete in the end.
+# All segments of a film are in the store, but not joined yet. The store is then damaged in several ways. In the end the
+# film must be complete.
 test_damaged_segments() {
     whole
     run 0 render path.json $small --output parts.mp4 --segments 0-1
@@ -20,7 +22,8 @@ damage() {
     same_file "$1.mp4" whole.mp4 "after $2"
 }
 
-# A complete film is kept. A film with other contents is rendered again, even if it has the size that its stamp records.
+# A complete film is kept. If the film's file has other contents, the film is rendered again, even if the file has the
+# size that the film's stamp records.
 test_kept_film() {
     whole
     cp whole.mp4 kept
@@ -34,7 +37,7 @@ test_kept_film() {
     [ -e whole.mp4.parts ] && fail "parts are left"
 }
 
-# Kinds of outputs: a pipe, a link, a dangling link, a device, standard output.
+# Tests outputs that are not ordinary files: a pipe, a link, a dangling link, a device, standard output.
 test_outputs() {
     mkdir tmp
     export TMPDIR=$PWD/tmp
@@ -108,7 +111,7 @@ test_stills() {
     [ -s st/frame-000000.jpg ] || fail "an empty JPEG stays"
 }
 
-# Errors that are reported before the work, in one line.
+# Tests errors that are reported in one line, before anything is rendered.
 test_errors() {
     : >file
     run 77 film ${small/openmp/openmp --device 99}
@@ -132,7 +135,7 @@ test_errors() {
     says '5-9'
 }
 
-# With another title, other line breaks or another font, the film is another one and is rendered again.
+# If the title, its line breaks or the font change, an existing film is rendered again.
 test_titles() {
     cp /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf "it's: 100 %, [a] font; \\.ttf"
     run 0 render path.json $small --output titled.mp4 --title a --authors $'b\nc'
@@ -142,8 +145,8 @@ test_titles() {
     says '2 of 2 segments'
 }
 
-# Starts flythrough with an ffmpeg, given by a relative name, that waits at the first segment until the file `go`
-# exists.
+# Starts flythrough with a fake ffmpeg, given by a relative name. The fake waits at the first segment until the file
+# `go` exists.
 start_waiting() {
     cat >slow <<'END'
 #!/bin/sh
@@ -174,7 +177,7 @@ test_a_signal_leaves_no_partial_file() {
     ls two.mp4.parts/*/.[pm]* 2>/dev/null && fail "a signal leaves files"
 }
 
-# ffmpeg is missing, fails, or never answers: when flythrough checks it, and when it encodes a segment.
+# ffmpeg is missing, fails or hangs: while flythrough checks ffmpeg, or while ffmpeg encodes a segment.
 test_bad_encoders() {
     MANDELMARCH_FFMPEG=/nowhere/ffmpeg run 1 render path.json $small --output none.mp4
     says '/nowhere/ffmpeg'
@@ -192,7 +195,7 @@ test_bad_encoders() {
     done
 }
 
-# An encoder that exits with 0 after half a file, as ffmpeg does if there is no space for the file's end.
+# The encoder writes half a file and exits with 0, as ffmpeg does if there is no space for the file's end.
 test_half_a_segment() {
     whole
     cat >halving <<'END'
@@ -208,7 +211,7 @@ END
     same_file half.mp4 whole.mp4
 }
 
-# A disk that is full, simulated by a limit on file sizes.
+# The disk is full, which a limit on file sizes simulates.
 test_full_disk() {
     (ulimit -f 12; exec "$program" render path.json ${small/32x16/320x180} --output full.mp4 2>stderr)
     [ $? = 1 ] || fail "a full disk gives another exit code than 1"

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sourced by cases of flythrough, which tests/cases.sh runs with BIN SOURCE.
+# Sourced by the scripts with cases of flythrough, which tests/cases.sh runs with BIN SOURCE.
 bin=$1
 source=$2
 program=$bin/flythrough
 small="--size 32x16 --samples 1 --backend openmp --threads 1"
 # run CODE ARGUMENT...: runs flythrough and checks its exit code, messages and files.
 run() { expect "$1" "$program" "${@:2}"; }
-# make_path FILE RATE STEP: writes a path of 64 frames, which are two segments: a straight flight next to the Mandelbulb
-# at a frame rate, with a step per frame.
+# make_path FILE RATE STEP: writes a path of 64 frames, which are two segments. It is a straight flight next to the
+# Mandelbulb, with RATE frames per second and a step of length STEP per frame.
 make_path() {
     python3 - "$@" <<'PY'
 import json, sys

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases of flythrough: containers, frame rates, parts of a path, titles, tags for players, and job arrays.
+# Cases of flythrough: container formats, frame rates, parts of a path, titles, tags for players, and job arrays.
 . "$(dirname "$script")/films.sh"
 # probe FILE ENTRIES: prints these entries of the film's stream.
 probe() { ffprobe -v error -select_streams v -count_frames -show_entries "stream=$2" -of csv=p=0 "$1"; }
 
-# The file extension selects the container. Each film has all of its frames, at the frame rate of the path.
+# The file extension selects the container format. Each film has all of its frames, at the frame rate of the path.
 test_containers() {
     local kind film got name
     for kind in mp4:h264 m4v:h264 mkv:h264 webm:vp9 gif:gif MKV:h264; do
@@ -72,15 +72,15 @@ test_job_arrays() {
     [ "$(ls array | grep -vc made)" = 4 ] || fail "stills of an array that overhangs: $(ls array)"
     run 2 render path.json $small --output array2.mp4 --segments 2-9
     says '2-9 given, expected some of 0-1'
-    # If the store has segments that were made on another kind of machine, a message says so.
+    # A message reports that the store has segments made with other instructions.
     MANDELMARCH_INSTRUCTIONS=SCALAR run 0 render path.json $small --output mixed.mp4 --segments 0-0
     run 0 render path.json $small --output mixed.mp4 --segments 1-1
     says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: 'SCALAR', here 'all of the machine'"
 }
 
-# Titles are complete, are shown once for each eye, and use letters of the font. white FILM WIDTH [eyes]: checks that
-# there is white text at 2 s, not at the picture's edges, and in the middle; with `eyes`, that it is the same in both
-# halves.
+# Tests that titles are complete, are shown once for each eye, and use only letters of the font. white FILM WIDTH
+# [eyes]: checks that at 2 s there is white text, in the middle and not at the picture's edges. With `eyes`, the text
+# must be the same in both halves of the picture.
 white() {
     ffmpeg -v error -ss 2 -i "$1" -frames:v 1 -pix_fmt gray -f rawvideo - | python3 -c '
 import sys
@@ -112,7 +112,7 @@ test_titles() {
     run 2 film $small --output none.mp4 --title "$(printf 'm%.0s' {1..3000})"
 }
 
-# Films of all directions, or for two eyes, have the tags by which players recognise them.
+# A film that shows all directions, or that is for two eyes, has the tags by which players recognise such films.
 tags() { ffprobe -v error -show_entries stream_side_data_list "$1" | grep -E '^(projection|type|side_data_type)=' | tr '\n' ' '; }
 tagged() {
     local film=$1 tag

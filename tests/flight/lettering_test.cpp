@@ -44,7 +44,7 @@ TEST_F(Letters, ALongerTextHasSmallerOnes)
     const Lettering found = fitted("The Flight through the Mandelbulb", 32, 500);
     EXPECT_LT(found.size, 32);
     EXPECT_EQ(found.lines.size(), 1U);
-    EXPECT_GT(font.width(found.lines[0]) * (found.size + 1), 500);  // as large as possible
+    EXPECT_GT(font.width(found.lines[0]) * (found.size + 1), 500);  // the next size does not fit
 }
 
 TEST_F(Letters, AVeryLongTextIsBrokenInTwo)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flights keep their horizon level, and the longest time that a camera stands still is found.
+// Tests that flights keep their horizon level, and that the longest time during which a camera stands still is found.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,8 +41,8 @@ TEST(Level, IsHeldAwayFromTheMiddle)
     EXPECT_TRUE(level_row(path).kept());
 }
 
-// For a box, up is the nearest of the cube's axes. It stays the same during the whole flight, so that the horizon never
-// turns over.
+// In a flight around a Mandelbox, the direction upwards is the nearest axis of the cube. The axis stays the same during
+// the whole flight, so that the horizon never turns over.
 TEST(Level, IsTheNearestAxisOfABox)
 {
     Path path = round("box");
@@ -74,7 +74,7 @@ TEST(Level, NeedsNoHorizonStraightUp)
     EXPECT_NEAR(tilt_of(frame, Vector{1, 0, 0}).horizon, 1, 1e-12);
 }
 
-// Rolling a camera by its tilt makes it level.
+// A camera that is rolled by its tilt is level.
 TEST(Level, IsWhereItsTiltLeads)
 {
     const Frame frame{{1, 2, 3}, {2, 2.5, 2}, {0.3, 1, 0.2}, 1, {}};
@@ -129,7 +129,8 @@ TEST(Standing, TakesWorkThatGrowsWithTheFrames)
         for (std::size_t i = 0; i < length; ++i) places.push_back(place(i));
         return longest_stand(places, radii).distances;
     };
-    // Cameras that always stand still, mostly stand still but jump, move, and move slowly.
+    // The first camera always stands still, the second stands still but sometimes jumps, the third moves, and the
+    // fourth moves slowly.
     EXPECT_LT(work([](std::size_t) { return Vector{1, 2, 3}; }), 4 * length);
     EXPECT_LT(work([](std::size_t i) { return Vector{i % 20'001 == 20'000 ? 2.0 : 0.0, 0, 0}; }), 4 * length);
     EXPECT_LT(work([](std::size_t i) { return Vector{0.3 * static_cast<double>(i), 0, 0}; }), 4 * length);

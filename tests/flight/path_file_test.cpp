@@ -34,7 +34,7 @@ std::string refusal(const std::string& changed)
     return "accepted";
 }
 
-// Replaces `from` by `to` in a valid path file, and checks the error message.
+// Replaces `from` by `to` in the text of a valid path file, and checks the error message for the result.
 void says(const std::string& from, const std::string& to, const std::string& message)
 {
     const std::string said = refusal(with(from, to));
@@ -58,7 +58,8 @@ TEST(PathFile, SaysWhatIsWrong)
     says("\"brightness\": 1.5", "\"brightnes\": 1.5", "a.json: frame 1: unknown key \"brightnes\"");
 }
 
-// Older path files do not name an estimate: they were planned with the original estimate.
+// A path file names the estimate with which it was planned. Older files name none: they were planned with the original
+// estimate.
 TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
 {
     EXPECT_FALSE(path_from_text(text, "a.json").scene.conservative);
@@ -97,7 +98,7 @@ TEST(PathFile, KeepsItsRate)
     }
 }
 
-// A path file may contain anything: deep nesting must not exhaust the stack, and messages must not quote megabytes.
+// A path file may contain anything. Deep nesting must not exhaust the stack, and messages must not quote megabytes.
 TEST(PathFile, MayBeAnything)
 {
     const std::string deep(300'000, '[');

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planning, path files and audits. Results are the same on any number of threads, and every item of an audit can fail.
+// Tests planning, path files and audits. Results must be the same on any number of threads, and every item of an audit
+// must be able to fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,8 +59,8 @@ TEST(Plan, KeepsEveryPromise)
     EXPECT_EQ(json_of(planned(), result), json_of(planned(), audit(planned(), 4)));
 }
 
-// A flight planned with the conservative estimate, which films use, keeps every promise. It differs from the flight
-// planned with the original estimate.
+// Films use the conservative estimate. A flight that is planned with it keeps every promise, and differs from the
+// flight that is planned with the original estimate.
 TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
 {
     Scene scene = official_scene("bulb", 16, 9);
@@ -72,7 +73,7 @@ TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
 
 using Frames = std::vector<Frame>;
 
-// The audit with views of every fifth frame, without changes.
+// Returns the audit of the unchanged planned path, with views of every fifth frame.
 const Audit& sound()
 {
     static const Audit result = audit(planned(), 0, 0, 5);
@@ -86,13 +87,13 @@ void look_outwards(Frames& all)
     for (Frame& frame : all) look_outwards(frame);
 }
 
-// Stops the camera at every tenth frame.
+// Makes the camera stand still for one step at every tenth frame.
 void stumble(Frames& all)
 {
     for (std::size_t i = 0; i < all.size(); i += 10) all[i + 1] = all[i];
 }
 
-// A change of the planned path's frames that makes an item of the audit fail.
+// A change of the planned path's frames, and the item of the audit that must fail because of the change.
 struct Fault {
     const char* row;
     std::function<void(Frames&)> spoil;
@@ -166,7 +167,7 @@ const Fault low_quality[] = {
      [](Frames& f) {
          for (Frame& frame : f) frame.up = cross(frame.target - frame.eye, frame.up);
      }},
-    // Seen from far away, with its direction 30 degrees off the picture's middle, the fractal is in the corner.
+    // The camera is far away, and the fractal appears in a corner of the picture, 30 degrees from its middle.
     {"longest time with the subject at the edge",
      [](Frames& f) {
          for (Frame& frame : f) {
@@ -174,7 +175,7 @@ const Fault low_quality[] = {
              frame.target = frame.eye + Vector{0.8, 0.4, -1};
          }
      }},
-    // First the camera looks at the sky, then the same part of the path is repeated.
+    // After a part of the path, the camera looks at the sky. Then the same part is repeated.
     {"the same view again",
      [](Frames& f) {
          for (std::size_t i = 200; i < 290; ++i) look_outwards(f[i]);
@@ -191,8 +192,8 @@ const Fault low_quality[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Of, LowQuality, testing::ValuesIn(low_quality));
 
-// The first 300 frames of this short flight are outside the hull, the others inside. Without the first 300 the audit's
-// item is kept. If the others are moved outside, it is not kept.
+// The first 300 frames of this short flight are outside the hull, and the others inside. Without the first 300 frames
+// the audit's item is kept. If the other frames are moved outside, the item is not kept.
 TEST(Audit, FramesOutsideTheHullAreFound)
 {
     Path path = planned();
@@ -202,8 +203,8 @@ TEST(Audit, FramesOutsideTheHullAreFound)
     EXPECT_FALSE(row_of(audit(path, 0, 0, 5), "frames inside the hull").kept());
 }
 
-// A flight of ten seconds need not have a passage. A film of full length needs some, and has none if the camera stands
-// still.
+// A flight of ten seconds need not have a passage. A flight of full length needs some. It has none if its camera stands
+// still, and then the audit's item is not kept.
 TEST(Audit, MissingPassagesAndSlowPlanningAreFound)
 {
     EXPECT_TRUE(row_of(sound(), "distinct passages").kept());
@@ -249,7 +250,7 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     Path path = planned();
     ASSERT_TRUE(path.detail_by_size);
     path.scene.iterations = 100;
-    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 100);  // as planned; pictures may need fewer
+    EXPECT_EQ(scene_of(path, path.frames[0], 1920, 1080).iterations, 100);  // as in planning; pictures need fewer
     const Scene film = picture_of(path, path.frames[0], 1920, 1080);
     const Scene large = picture_of(path, path.frames[0], 3840, 2160);
     EXPECT_LT(film.iterations, 100);

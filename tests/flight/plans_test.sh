@@ -3,17 +3,17 @@
 . "$(dirname "$script")/films.sh"
 kills=${3:-3}
 
-# A film that is killed at random moments and resumed equals the undisturbed film, and no finished segment is rendered
-# twice.
+# If flythrough is killed at random moments and started again, the film equals the undisturbed film. No finished segment
+# is rendered twice.
 test_killed() {
     local frames=330 hits=0 try job options="--size 64x36 --samples 1 --backend openmp --title Title --authors Authors"
-    # Many kills need a longer film.
+    # A longer film leaves time for many kills.
     [ "$kills" -gt 5 ] && frames=2400
     run 0 plan path.json --frames $frames --seed 2
     run 0 render path.json $options --output whole.mp4
     says "$(((frames + 59) / 60)) of $(((frames + 59) / 60)) segments"
     [ "$(ffmpeg -v error -i whole.mp4 -f framemd5 - | grep -vc '^#')" = $((frames + 120)) ] || fail "frames or title are missing"
-    # Kills flythrough at pseudo-random moments. If the film is complete before the kill, it is started again.
+    # Kills flythrough at pseudo-random moments. If the film is complete before a kill, the film is started again.
     RANDOM=7
     for ((try = 0; hits < kills && try < 10 * kills; ++try)); do
         "$program" render path.json $options --output killed.mp4 2>/dev/null &
@@ -27,7 +27,7 @@ test_killed() {
             continue
         fi
         ls -l --time-style=full-iso killed.mp4.parts/*/segment-* 2>/dev/null | awk '{print $5, $7, $9}' >now
-        # Finished segments must still exist, unchanged.
+        # Segments that were finished before this kill must still exist, unchanged.
         [ -e before ] && comm -23 <(sort before) <(sort now) | grep -q . && fail "a finished segment was made again: kill $hits"
         mv now before
     done
@@ -51,7 +51,7 @@ assert abs(film["seconds_per_frame"] * 120 - film["seconds"]) < 1e-6
 PY
 }
 
-# A flight planned at another frame rate; rate_test.cpp tests that it is the same flight.
+# A flight can be planned at another frame rate. rate_test.cpp tests that it is the same flight.
 test_rates() {
     run 2 plan new.json --fps 0
     run 2 plan new.json --fps 29.97
@@ -60,8 +60,8 @@ test_rates() {
 assert path["frames_per_second"] == 24 and len(path["frames"]) == 48' || fail "another rate"
 }
 
-# Shapes that cannot be flown through are refused before planning, whatever input they come from. changing_test.cpp has
-# more of them.
+# A shape that cannot be flown through is refused before planning, from whatever input it comes. changing_test.cpp has
+# more such shapes.
 test_refused_shapes() {
     sed "s/^2 0.5 1$/0.5 0.5 1/" "$source/paramsBox.dat" >box.dat
     sed "s/^0 4.0 8.0$/0 4.0 1.2/" "$source/paramsBulb.dat" >bulb.dat
@@ -76,14 +76,15 @@ test_refused_shapes() {
     run 2 plan --frames 120 --power 8:1.1 --output new.json
     # A number on the command line replaces that of the parameter file.
     run 0 plan --frames 120 --params bulb.dat --power 8
-    # If a Mandelbox's file is read as a Mandelbulb's, there is a warning about the file before the shape is refused.
+    # If the parameter file of a Mandelbox is read for a Mandelbulb, a warning about the file comes before the error
+    # about the shape.
     "$program" plan --frames 120 --params "$source/paramsBox.dat" --output new.json >stdout 2>stderr
     [ $? = 2 ] || fail "paramsBox.dat for a Mandelbulb: $(cat stderr)"
     says 'warning: these comments suit a mandelbox'
     says 'with power 1 cannot be flown through'
 }
 
-# If no flight is found, the message says what is missing and what helps, in the same words for every seed.
+# If no flight is found, the message names the cause and the remedy, in the same words for every seed.
 test_no_flight() {
     for seed in 1 2; do
         timeout 100 "$program" plan --fractal julia --params "$source/paramsJulia.dat" --frames 120 --seed $seed \

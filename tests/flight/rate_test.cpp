@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// At another frame rate a flight is the same, and keeps the same promises, which are given per second.
+// A flight at another frame rate visits the same places at the same times, and keeps the same promises, whose limits
+// are per second.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +24,7 @@ Frame on_circle(double angle)
     return frame;
 }
 
-constexpr double a_frame = 0.01;  // radians
+constexpr double a_frame = 0.01;  // radians per frame
 
 Path circle(int frames)
 {
@@ -47,7 +48,7 @@ TEST_P(Rates, ThePlacesAreThoseOfTheFlight)
     for (int i = 0; i < frames; ++i) {
         const Frame wanted = on_circle(a_frame * i * frames_per_second / rate);
         const Frame& found = other.frames[static_cast<std::size_t>(i)];
-        // At its ends a natural spline has no curvature, so it deviates more there.
+        // A natural spline has no curvature at its ends. Therefore it deviates more from the circle there.
         const double most = i < rate / 2 || i > frames - rate / 2 ? 1e-4 : 1e-8;
         EXPECT_LT(length(found.eye - wanted.eye), most) << i;
         EXPECT_LT(length(found.target - wanted.target), most) << i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a film from samples: means over pixels, and the filter for one sample per pixel.
+// Tests how a film's pictures are made from samples: a mean over each pixel, and a filter for one sample per pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,16 +11,16 @@ namespace {
 
 Image black(int width, int height) { return {width, height, Image::Layers::bytes}; }
 
-// The picture has 3 x 3 samples for 2 x 2 pixels, so that a pixel is one and a half samples wide, and each middle
-// sample is shared by two pixels. Row 0 of an image is its bottom row.
+// The picture has 3 x 3 samples for 2 x 2 pixels. A pixel is one and a half samples wide, and pixels share the samples
+// in the middle. Row 0 of an image is its bottom row.
 TEST(Shrunk, IsTheMeanOverAPixelsArea)
 {
     Image picture(3, 3, Image::Layers::bytes);
     for (std::size_t i = 0; i < 9; ++i) {
         for (std::size_t c = 0; c < 3; ++c) picture.bytes()[3 * i + c] = static_cast<std::uint8_t>(10 * i + 80 * c);
     }
-    // In both directions the weights of the samples are 2/3 1/3 0 and 0 1/3 2/3. The samples are, from the bottom,
-    // 0 10 20 / 30 40 50 / 60 70 80.
+    // In each direction, the three samples have the weights 2/3 1/3 0 in the first pixel and 0 1/3 2/3 in the second.
+    // The red samples are, from the bottom, 0 10 20 / 30 40 50 / 60 70 80.
     const std::vector<std::uint8_t> red{53, 67, 13, 27};
     for (const int threads : {1, 3}) {
         const auto rgb = shrunk(picture, 2, 2, threads);
@@ -43,11 +43,11 @@ TEST(Shrunk, LeavesALargeEvenPictureEven)
     }
 }
 
-// Row 0 of an image is its bottom row; the filtered picture begins with the top row.
+// Row 0 of an image is its bottom row, but the filtered picture begins with the top row.
 TEST(Softened, TakesATenthOfEachNeighbour)
 {
     Image picture = black(3, 3);
-    picture.bytes()[3 * 4 + 1] = 200;  // green in the middle
+    picture.bytes()[3 * 4 + 1] = 200;  // the green byte of the middle pixel
     for (const int threads : {1, 3}) {
         const auto rgb = softened(picture, threads);
         const std::vector<int> green{0, 20, 0, 20, 120, 20, 0, 20, 0};
@@ -56,7 +56,7 @@ TEST(Softened, TakesATenthOfEachNeighbour)
             EXPECT_EQ(rgb[3 * i], 0);
         }
     }
-    // The bottom row is the last one of the result: top and bottom are not exchanged.
+    // The image's bottom row must be the result's last row.
     Image bottom = black(1, 2);
     bottom.bytes()[0] = 100;
     EXPECT_EQ(softened(bottom, 1), (std::vector<std::uint8_t>{10, 0, 0, 90, 0, 0}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties that every fractal must have; they show whether its kernel source and its descriptor agree. A separate
-// build runs these tests with the fractal tests/fractals/sierpinski.
+// Tests properties that every fractal must have. They fail if the fractal's kernel source and descriptor do not agree.
+// A separate build runs these tests with the fractal tests/fractals/sierpinski.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -51,7 +51,7 @@ TEST_P(EveryFractal, IsFoundByItsNames)
     EXPECT_EQ(&fractal_named(fractal().short_name), &fractal());
 }
 
-// Random scenes have values within the ranges of parameter files.
+// The values of random scenes are within the ranges that parameter files allow.
 TEST_P(EveryFractal, DrawsScenesInItsRanges)
 {
     for (const Scene& scene : scenes()) {
@@ -61,14 +61,15 @@ TEST_P(EveryFractal, DrawsScenesInItsRanges)
     EXPECT_NE(to_parameters(extreme_scene(fractal(), 1, 0)), to_parameters(extreme_scene(fractal(), 1, 1)));
 }
 
-// The gradient is that of the estimate: with normals from finite differences the picture is nearly the same.
+// The kernel's gradient must be that of its estimate. If normals are computed from finite differences of the estimate
+// instead, the picture is nearly the same.
 TEST_P(EveryFractal, GradientsAreThoseOfTheEstimate)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
     EXPECT_LT(share_off(drawn(scene, Mode::fast, ""), drawn(scene, Mode::fast, "gradient")), most_off);
 }
 
-// Negative control: the comparison detects slightly different light.
+// Negative control: the comparison of pictures detects slightly different light.
 TEST_P(EveryFractal, OtherLightIsFoundOut)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
@@ -85,8 +86,8 @@ TEST_P(EveryFractal, HullChangesNoPicture)
     }
 }
 
-// Far outside the bounds that flights use there is no surface, and the estimate is not larger than the distance to the
-// centre.
+// Far outside the bounds that flights use, there is no surface: the estimate is positive. It is not larger than the
+// distance to the centre.
 TEST_P(EveryFractal, BodyHoldsTheFractal)
 {
     const DistanceField field(official_scene(fractal(), 16, 9), 1);

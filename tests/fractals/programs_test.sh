@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases run by tests/cases.sh with BIN FRACTALS: every program supports the fractal of FRACTALS, which is defined in its
-# two files only.
+# Cases run by tests/cases.sh with BIN FRACTALS: every program supports the fractal in the folder FRACTALS. Only the two
+# files of this folder define the fractal.
 bin=$1
 fractals=$2
 name=$(basename "$fractals"/*.h .h)
-# Copies the official parameter file from the fractal's descriptor.
+# Extracts the official parameter file from the fractal's descriptor.
 sed -n '/R"dat(/,/^)dat"/p' "$fractals/$name.cpp" | sed -e 's/.*R"dat(//' -e '/^)dat"/d' >"$name.dat"
-# holds FILE CODE: runs Python code on the data of a JSON file.
+# holds FILE CODE: runs Python code, in which `data` is the content of a JSON file, and fails if an assertion fails.
 holds() { python3 -c "import json, sys; data = json.load(open(sys.argv[1])); $2" "$1" || fail "$1 is not as expected"; }
 
 test_render() {

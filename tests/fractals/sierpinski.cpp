@@ -41,7 +41,7 @@ std::optional<Bounds> body(const Scene&) { return Bounds{Bounds::Shape::sphere, 
 
 double growth(const Scene& scene) { return scene.shape[0]; }
 
-// With larger scales the fractal is dust; where rays hit it depends on their step sizes.
+// With larger scales the fractal is dust, and the places at which rays hit it depend on the lengths of their steps.
 void random_shape(Scene& scene, SceneRandom& chance, bool) { scene.shape[0] = chance.single_between(1.3, 1.6); }
 
 void extreme_shape(Scene& scene, SceneRandom& chance)

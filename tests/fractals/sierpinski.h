@@ -8,7 +8,7 @@ FN scalar sierpinski_offset(Scene scene) { return scene.fractal[1]; }   // s - 1
 FN scalar sierpinski_escape2(Scene scene) { return scene.fractal[2]; }  // escape radius^2
 FN scalar sierpinski_radius(Scene scene) { return scene.fractal[3]; }   // radius of the sphere through the corners
 
-// Return v, in the lanes of `on` mirrored in the plane x + y = 0, x + z = 0 or y + z = 0.
+// Return v, which is mirrored in the lanes of `on`. The mirrors are the planes x + y = 0, x + z = 0 and y + z = 0.
 FN vec3 mirrored_xy(mask on, vec3 v) { return pick3(on, vec3(-v.y, -v.x, v.z), v); }
 FN vec3 mirrored_xz(mask on, vec3 v) { return pick3(on, vec3(-v.z, v.y, -v.x), v); }
 FN vec3 mirrored_yz(mask on, vec3 v) { return pick3(on, vec3(v.x, -v.z, -v.y), v); }
@@ -30,8 +30,8 @@ FN vec3 sierpinski_next(Scene scene, vec3 f)
 // Returns |z|^2, but at least 1e-30.
 FN real sierpinski_r2(vec3 z) { return larger(dot3(z, z), R(1.0e-30)); }
 
-// Returns the part of a ray that can meet the surface: the part in a sphere. Its radius is computed, with a proof, in
-// the descriptor (sierpinski.cpp).
+// Returns the part of a ray that can meet the surface, which is the part inside a sphere. hull() in the descriptor
+// (sierpinski.cpp) computes the sphere's radius, with a proof.
 FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
@@ -53,8 +53,8 @@ FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
     return result;
 }
 
-// Returns the gradient of the estimate, multiplied by a positive factor. Differentiates forward along the three axes,
-// whose directions are changed by the mirrors only.
+// Returns the gradient of the estimate, multiplied by a positive factor. Differentiates forward along the three axes.
+// Only the mirrors change the directions of these axes.
 FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;

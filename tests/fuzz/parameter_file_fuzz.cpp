@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer: any bytes as a parameter file give a scene whose values are in their ranges, or an InputError of one line.
+// Fuzzer: any bytes, read as a parameter file, give a scene whose values are in their ranges, or an InputError of one
+// line.
 #include <cmath>
 #include <cstdlib>
 

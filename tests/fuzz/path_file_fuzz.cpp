@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer: any bytes as a path file give a path, or an InputError of one line. The path is unchanged if it is written
-// and read again.
+// Fuzzer: any bytes, read as a path file, give a path, or an InputError of one line. The path is unchanged if it is
+// written and read again.
 #include <cstdlib>
 
 #include "core/base/error.h"

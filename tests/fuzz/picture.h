@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a picture file give a complete picture, or an InputError.
+// Common part of the fuzzers for picture files: any bytes, read as a picture file, give a complete picture, or an
+// InputError.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer: any bytes as a result file give a result, or an InputError of one line. The result is unchanged if it is
-// written and read again, is not a regression compared with itself, and has efficiencies from 0 to 1.
+// Fuzzer: any bytes, read as a result file, give a result, or an InputError of one line. The result is unchanged if it
+// is written and read again. Compared with itself it is not a regression. Its efficiencies are from 0 to 1.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -35,7 +35,7 @@ void collect(nlohmann::ordered_json& json, std::vector<nlohmann::ordered_json*>&
     for (auto& value : json) collect(value, values);
 }
 
-// Returns a list of values that replace others.
+// Returns the unusual values with which the mutator replaces others.
 const nlohmann::ordered_json& odd_values()
 {
     static const auto values = nlohmann::ordered_json::parse(
@@ -68,8 +68,8 @@ void use(const Result& result)
 
 extern "C" std::size_t LLVMFuzzerMutate(unsigned char* data, std::size_t size, std::size_t most);
 
-// Changes or copies one value of a complete result. libFuzzer calls it instead of changing bytes, which rarely gives
-// valid JSON.
+// Changes or copies one value of a complete result. libFuzzer calls this function instead of changing bytes, because
+// changed bytes are rarely valid JSON.
 extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t most, unsigned seed)
 {
     std::minstd_rand random(seed);

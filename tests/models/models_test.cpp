@@ -34,7 +34,7 @@ protected:
             all.push_back({"one pixel", official_scene(fractal, 1, 1)});
             all.push_back({"six pixels", official_scene(fractal, 3, 2)});
             all.push_back({"one column", official_scene(fractal, 1, 201)});
-            all.push_back({"one row", official_scene(fractal, 20000, 1)});  // wider than a small band
+            all.push_back({"one row", official_scene(fractal, 20000, 1)});  // has more pixels than a small band
         }
         return all;
     }
@@ -61,7 +61,8 @@ TEST_P(Models, ExactHasTheBitsOfTheScalarText)
     }
 }
 
-// A model that reports several threads must use them: a loop that runs on one thread would give the right picture, too.
+// A model that reports several threads must use them. The picture does not show this: a loop on one thread gives the
+// same picture.
 TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
 {
     const auto renderer = model.create({.precision = precision});

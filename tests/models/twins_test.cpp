@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutants of the models, whose kernel of the Mandelbox is wrong (CMakeLists.txt). Real backends pass the
-// check. It must reject the mutants' Mandelbox, and accept their Mandelbulb, which is not changed.
+// Mutants of the models, whose kernel of the Mandelbox is wrong (CMakeLists.txt). Real backends pass the check. It must
+// reject the mutants' Mandelbox, and accept their Mandelbulb, which is not changed.
 #include <gtest/gtest.h>
 
 #include <sstream>

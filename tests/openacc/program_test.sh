@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases run by tests/cases.sh with BIN SOURCE: without a GPU the programs report that the host renders, and reject a
-# missing GPU. Pictures are tested in tests/models.
+# Cases run by tests/cases.sh with BIN SOURCE: without a GPU, openacc has one device, the host. It reports that the host
+# renders, and rejects any other device. tests/models tests the pictures.
 bin=$1
 source=$2
 export CUDA_VISIBLE_DEVICES=  # hides any GPU

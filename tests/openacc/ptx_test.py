@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""ptx_test.py text|assemble PROGRAM FRACTAL...: text: the PTX in a built program follows the floating-point policy.
-assemble: ptxas compiles it without spilling registers. Each check has mutants that must fail. Exit code 77: the pinned
-ptxas is missing, and CI is not set."""
+"""ptx_test.py text|assemble PROGRAM FRACTAL...: checks the PTX in a built program. text: the PTX follows the
+floating-point policy. assemble: ptxas compiles the PTX without spilling registers. Each check has mutants that must
+fail. Exit code 77: the pinned ptxas is missing, and CI is not set."""
 import os
 import re
 import sys
@@ -13,9 +13,9 @@ import k40  # noqa: E402
 import gpu_expected  # noqa: E402
 import machine_code  # noqa: E402
 
-# Maximum of registers per thread, by the kernel's kind and precision. With these, a multiprocessor of the K40 can hold
-# 9 (march, float), 5 (march, double), 6 (shade, float), 3 (shade, double) or 16 (bytes) blocks of 128 threads at once;
-# a multiprocessor of the H100 can hold 7, 5, 5, 3 or 16.
+# Allowed registers per thread, by GPU, kind of kernel and precision. With this many registers, a multiprocessor of the
+# K40 can hold 9 (march, float), 5 (march, double), 6 (shade, float), 3 (shade, double) or 16 (bytes) blocks of 128
+# threads at once. A multiprocessor of the H100 can hold 7, 5, 5, 3 or 16.
 MOST_REGISTERS = {
     "K40": {("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
             ("bytes", "float"): 32, ("bytes", "double"): 32},
@@ -25,7 +25,7 @@ MOST_REGISTERS = {
 
 
 def changed(ptx, kernel, old, new):
-    """Returns the PTX with the first match of `old` in one kernel replaced."""
+    """Returns the PTX with the first match of the pattern `old` in one kernel replaced by `new`."""
     body = next(body for name, body in k40.kernels(ptx) if name.startswith(kernel))
     twin = re.sub(old, new, body, count=1)
     assert twin != body, f"{kernel} holds no {old}"
@@ -47,8 +47,8 @@ ld.f32 %r7,[%r8];
 
 
 def check_expected():
-    """Returns faults in the prediction of times: the loops of a march, the cycles of their instructions, and the
-    longest ray."""
+    """Returns the faults that it finds in the prediction of times (tools/gpu_expected.py). Checks the loops found in a
+    march, the cycles of their instructions, and the longest ray."""
     found = []
     march = machine_code.march_of(machine_code.ptx(LOOPS, {("div", "f32"): 8}), {"double": 20})
     if march != (20, 3, 11, 3, False):

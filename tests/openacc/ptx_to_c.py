@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ptx_to_c.py gcc|nvcc PROGRAM: translates to C the PTX that gcc or nvcc has put into a built program, so that the PTX
-itself can run on a machine without a GPU, one thread after the other. Knows only the instructions of this project's
-kernels; others are errors."""
+"""ptx_to_c.py gcc|nvcc PROGRAM: translates to C the PTX that gcc or nvcc has put into a built program. The C runs the
+PTX on a machine without a GPU, one thread after the other. Supports only the instructions of this project's kernels;
+any other instruction is an error."""
 import os
 import re
 import sys
@@ -13,7 +13,7 @@ import k40  # noqa: E402
 C_TYPES = {"u16": "uint16_t", "s16": "int16_t", "u32": "uint32_t", "s32": "int32_t", "b32": "uint32_t", "u64": "uint64_t",
            "s64": "int64_t", "b64": "uint64_t", "f32": "float", "f64": "double", "pred": "bool", "u8": "uint8_t", "b16": "uint16_t"}
 COMPARISONS = {"eq": "==", "ne": "!=", "neu": "!=", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
-UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # negated: these are true for NaN
+UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # the opposites, to be negated: true for NaN
 INFIX = {"xor": "^", "add": "+", "sub": "-", "mul": "*", "div": "/", "rem": "%", "and": "&", "or": "|"}
 SPECIAL = {"%tid.x": "tid", "%ctaid.x": "ctaid", "%nctaid.x": "nctaid", "%ntid.x": "threads_of_block"}
 NVCC_ENTRY = re.compile(r"^\.visible \.entry (mandelmarch_cuda_(?:march|shade|bytes)_\w+)\([^)]*\)\s*\{(.*?)^\}", re.M | re.S)
@@ -158,7 +158,7 @@ class Kernel:
 
 
 def translate(kernels):
-    """Returns a C source with every kernel and a table that finds them by name."""
+    """Returns a C source with all kernels and a table of the kernels by name."""
     parsed = [Kernel(name, body) for name, body in kernels]
     table = "".join(f'{{"{kernel.name}", {kernel.c_name()}}},\n' for kernel in parsed)
     return (HEADER + "\n".join(kernel.c_text() for kernel in parsed) +

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sourced by the cases of openacc and cuda on a simulated GPU (simulated_cuda.c), which runs a program's PTX, translated
-# to C. tests/cases.sh runs these cases with BIN SOURCE GPU COMPILER PYTHON, where GPU is the folder of the simulated
-# driver, which the case `driver` makes for the others. The variable `backend` must name the backend, `wrote` the
-# compiler of its PTX.
+# Sourced by the scripts with cases of openacc and cuda on a simulated GPU (simulated_cuda.c), which runs a program's
+# PTX, translated to C. tests/cases.sh runs these cases with BIN SOURCE GPU COMPILER PYTHON. GPU is the folder of the
+# simulated GPU's driver, which the case `driver` makes for the other cases. The script must set the variables
+# `backend`, the name of the backend, and `wrote`, the compiler of its PTX.
 bin=$1
 source=$2
 gpu=$3
@@ -13,15 +13,17 @@ unset CUDA_VISIBLE_DEVICES
 export LD_LIBRARY_PATH=$gpu
 # bulb OPTION...: renders on the GPU.
 bulb() { "$bin/mandelbulb" paramsBulb.dat --size 60x40 --backend $backend "$@"; }
-# seconds NAME: returns a time of a.json.
+# seconds NAME: prints the time NAME of a.json.
 seconds() { sed -n "s/.*\"$1\": \([0-9.e-]*\),\{0,1\}$/\1/p" a.json; }
-# driver FOLDER [SOURCE]: builds FOLDER/libcuda.so.1, by default the GPU that runs the kernels of FOLDER/kernels.h.
+# driver FOLDER [SOURCE]: builds a driver, FOLDER/libcuda.so.1. Without SOURCE, it simulates a GPU that runs the kernels
+# of FOLDER/kernels.h.
 driver() {
     "$compiler" -x c -std=gnu11 -O1 -ffp-contract=off -fno-math-errno -w -shared -fPIC -I"$1" \
         "${2:-$source/tests/openacc/simulated_cuda.c}" -lm -o "$1/libcuda.so.1"
 }
 
-# Several runs of this case may use the folder at once, so complete files are moved into it.
+# Several runs of this case may use the folder at once. Therefore each file is made elsewhere and moved into it when
+# complete.
 test_driver() {
     local new
     mkdir -p "$gpu"
@@ -51,7 +53,7 @@ test_bits() {
     expect 0 $draw --backend $backend --mode fast --output fast.exr
     other_picture fast.exr cpu.exr
 
-    # Negative control: a simulated GPU that rounds an addition differently.
+    # Negative control: on a simulated GPU that rounds an addition differently, the picture is another one.
     mkdir twin
     sed -E 's/^((r|fd)[0-9]+) = \(\(double\)((r|fd)[0-9]+)\) \+ \(\(double\)((r|fd)[0-9]+)\);/\1 = fma(\3, 1.0000000000000002, \5);/' \
         "$gpu/kernels.h" >twin/kernels.h
@@ -61,8 +63,8 @@ test_bits() {
     other_picture twin.exr cpu.exr
 }
 
-# In the stats, `kernel` is the time by the GPU's clock: 3 s, because each of three kernels takes a simulated second.
-# `host` is the wall time of the launches.
+# In the stats, `kernel` is the time by the GPU's clock. It is 3 s, because each of three kernels takes a simulated
+# second. `host` is the wall time of the launches.
 test_clock() {
     expect 0 bulb --mode exact --output a.png --stats a.json
     silent

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replaces NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it:
-// simulated GPUs run the kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the other.
-// Device memory is host memory.
+// Replaces NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it. The
+// GPUs are simulated: they run the kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the
+// other. Device memory is host memory. Environment variables describe the GPUs:
 //   SIMULATED_GPUS        number of GPUs (default 1)
 //   SIMULATED_CAPABILITY  compute capability (default 35)
 //   SIMULATED_MEMORY      free bytes (default 1 GiB)
@@ -27,7 +27,7 @@ enum {
     NOT_SUPPORTED = 801
 };
 
-static int pending;  // result of the next synchronization
+static int pending;  // the error that the next synchronization returns
 static int current = -1;
 static uint64_t taken;
 static struct {
@@ -120,7 +120,7 @@ int cuStreamSynchronize(void* stream) { return (void)stream, cuCtxSynchronize();
 int cuStreamQuery(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
 int cuStreamWaitEvent(void) { return NOT_SUPPORTED; }
 int cuStreamAddCallback(void) { return NOT_SUPPORTED; }
-// The GPU's clock: each kernel takes a second; nothing else takes time.
+// The GPU's clock. Each kernel takes a second, and nothing else takes time.
 static int seconds;
 int cuEventCreate(int** event, unsigned flags)
 {

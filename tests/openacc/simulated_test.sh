@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases of openacc on a simulated GPU: pictures have the bits of the scalar kernel, several GPUs can be selected, and a
-# failing GPU gives one line and the right exit code.
+# Cases of openacc on a simulated GPU. Pictures have the bits of the scalar kernel. Each of several GPUs can be
+# selected. If the GPU fails, the program prints one line and exits with the right code.
 backend=openacc
 wrote=gcc
 . "$(dirname "$script")/simulated.sh"
@@ -20,8 +20,8 @@ test_devices() {
     says '^backend openacc: openacc has the GPU Simulated K40 number 0'
 }
 
-# The picture has slightly more than 2^19 pixels, so it is rendered in two bands; if a watchdog ends long launches, in
-# three. Each of the bands takes three launches of a second.
+# The picture has slightly more than 2^19 pixels. Therefore it is rendered in two bands or, if a watchdog ends long
+# launches, in three. Each band takes three launches of a second.
 test_bands() {
     large() { "$bin/mandelbulb" paramsBulb.dat --size 750x700 --backend openacc --mode fast --precision float --without trial --output a.png --stats a.json; }
     expect 0 large

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases run by tests/cases.sh with BIN SOURCE SHIM: on OpenCL devices with faults, programs print one clear line, exit
-# with the right code, leave no picture and do not hang. Devices with limited features give the same picture.
+# Cases run by tests/cases.sh with BIN SOURCE SHIM. On an OpenCL device with a fault, programs print one clear line,
+# exit with the right code, leave no picture and do not hang. On a device that only lacks features, the picture is the
+# same.
 bin=$1
 source=$2
 shim=$3
@@ -54,7 +55,7 @@ test_limited() {
     same small-buffers --precision float
 }
 
-# A wrong picture fails verification, and bench reports that and times the other backends.
+# A wrong picture fails verification. bench reports the failure and times the other backends.
 test_garbage() {
     MANDELMARCH_MISCONDUCT="map garbage" LD_PRELOAD=$shim "$bin/bench" --fractal box --precision float --mode exact \
         --size 32x32 --repetitions 1 --no-peaks --json bench.json >stdout 2>stderr

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library that is preloaded before libOpenCL and adds a fault to a device; MANDELMARCH_FAULT selects the fault. Calls
-// that the fault does not affect go to the real driver.
+// A library that is preloaded before libOpenCL and gives a device the fault that MANDELMARCH_FAULT selects. Calls that
+// the fault does not affect go to the real driver.
 #include <CL/cl.h>
 #include <dlfcn.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using mandelmarch::drivers::driver_faults;
 
-// This library is also used as a driver of its own, which the loader opens.
+// Called when the library is loaded. Some tests use this library as a driver, which OpenCL's loader opens.
 __attribute__((constructor)) void load() { driver_faults("load"); }
 
 bool fault(std::string_view name)
@@ -41,7 +41,7 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
     driver_faults("launch");
     if (fault("dies")) return CL_OUT_OF_RESOURCES;
     if (fault("hangs")) {
-        // Return an event that never completes.
+        // Returns an event that never completes.
         cl_context context = nullptr;
         clGetCommandQueueInfo(queue, CL_QUEUE_CONTEXT, sizeof(context), &context, nullptr);
         cl_int error = CL_SUCCESS;
@@ -69,8 +69,8 @@ cl_int clBuildProgram(cl_program program, cl_uint devices, const cl_device_id* d
     return real<decltype(clBuildProgram)>("clBuildProgram")(program, devices, device, options, notify, data);
 }
 
-// Simulates a device whose float division is about a unit off in the last place. With the fault "inexact" the device
-// reports that, with "inexact-liar" it does not.
+// Simulates a device whose float division has an error of about a unit in the last place. With the fault "inexact" the
+// device reports that its division is inexact. With "inexact-liar" it does not.
 cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const char** strings, const size_t* lengths,
                                      cl_int* error)
 {

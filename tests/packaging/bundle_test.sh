@@ -7,13 +7,13 @@ source=$2
 test_bundle() {
     cmake --build "$build" --target bundle_program >log 2>&1 || { tail log; exit 1; }
     ARCHIVE=no "$source/packaging/bundle" "$build" "$PWD/made" OFF >log 2>&1 || { cat log; exit 1; }
-    # Move the bundle to another folder than the one it was made in.
+    # Moves the bundle away from the folder in which it was made.
     mkdir "else where"
     mv made/* "else where/bundle"
     bundle="$PWD/else where/bundle"
     in_bundle() { env -i PATH=/usr/bin:/bin "$bundle/bin/$1" "${@:2}"; }
 
-    # outside: prints the libraries that are found outside the bundle, except glibc's. There must be none.
+    # outside: prints the libraries that the program finds outside the bundle, except glibc's. There must be none.
     outside() {
         env -i ldd "$bundle/bin/mandelmarch" | grep -vF "$bundle/" |
             grep -vE 'linux-vdso|/ld-linux|/lib(c|m|dl|pthread|rt)\.so|^\s*$'

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# Case run by tests/cases.sh with BIN SOURCE GPU PYTHON: packaging/gpu_check on a simulated GPU, whose driver is in GPU
-# (tests/openacc), PoCL and lavapipe, with small pictures. A broken backend, a step that hangs and wrong bits must not
-# stop other steps. Results are packed after each step, and tools/gpu_results.py makes a page from them.
+# Case run by tests/cases.sh with BIN SOURCE GPU PYTHON. packaging/gpu_check runs with small pictures on PoCL, on
+# lavapipe and on a simulated GPU (tests/openacc), whose driver is in the folder GPU. A broken backend, a step that
+# hangs and wrong bits must not stop other steps. Results are packed after each step, and tools/gpu_results.py makes a
+# page from them.
 bin=$1
 source=$2
 gpu=$3
@@ -20,8 +21,8 @@ test_gpu_check() {
     check() { gpu-check/gpu_check "$@" >out 2>&1; }
     results() { tar -xOzf "$1/results.tgz" "results/$2"; }
 
-    # Runs the steps of gpu-quarter with the longer time limits of gpu-hour, as this machine may be busy. Two faults are
-    # simulated: gcc's kernels do not link, and ffmpeg hangs.
+    # Runs the steps that gpu_check runs without --hour, but with the longer time limits of --hour, because this machine
+    # may be busy. Two faults are simulated: gcc's kernels do not link, and ffmpeg hangs.
     quarter="facts cuda acc-cold openacc t-cuda t-acc opencl vulkan ncu peak floor t-cl t-vk 4k 8k film random"
     SIMULATED_FAULT=link MANDELMARCH_FFMPEG=$PWD/hanging SECONDS_OF_film=10 check --hour bin out-all $quarter
     [ $? = 1 ] || fail "with a broken backend the exit code is not 1: $(cat out)"
@@ -38,7 +39,7 @@ test_gpu_check() {
     results out-all driver-openacc.txt | grep -q 'libgomp: cuLinkComplete error' || fail "the driver's log lacks the failure"
     pgrep -f "$PWD/hanging" >/dev/null && fail "a step at its limit leaves a process"
 
-    # The page that tools/gpu_results.py makes from the results.
+    # Tests the page that tools/gpu_results.py makes from the results.
     reader="$python -B $source/tools/gpu_results.py"
     $reader out-all/results.tgz read >page || fail "the reader: $(cat page)"
     in=$(echo read/rehearsal-*)
@@ -51,7 +52,7 @@ test_gpu_check() {
     [ "$(wc -l <page)" = 1 ] && grep -q 'expected the results.tgz of gpu_check' page || fail "of a file that is no result it says: $(cat page)"
     [ "$(ls -A read | wc -l)" = 2 ] || fail "the reader leaves $(ls -A read)"
 
-    # Negative control: the expected hashes are changed, so that bits differ. Only the named steps run.
+    # Negative control: if the expected hashes are changed, bits differ. Only the named step runs.
     sed -i 's/^./x/' gpu-check/gpu_check.sha256
     check bin out-bits cuda && fail "other bits are not seen"
     grep -qE '^cuda +failed .*OTHER BITS in 6 pictures' out-bits/summary.txt || fail "of other bits it says: $(cat out)"

@@ -30,7 +30,7 @@ def text_of(path):
 
 
 def png_size(data):
-    """Returns width and height of a PNG whose image data can be decompressed."""
+    """Returns the width and height of a PNG. Fails if its image data cannot be decompressed."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError("no PNG")
     at, packed = 8, b""
@@ -58,7 +58,7 @@ class DemoTest(unittest.TestCase):
         shutil.rmtree(cls.folder)
 
     def page_of(self, change):
-        """Returns the page for a changed demo.json."""
+        """Returns the page that is made after `change` has changed the content of demo.json."""
         folder = Path(tempfile.mkdtemp(dir=self.folder))
         run(os.path.join(BIN, "demo"), "--folder", folder, "--side", "16")
         table = json.loads(text_of(folder / "demo.json"))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Cases run by tests/cases.sh with BIN SOURCE: programs use only the cores in their affinity mask, follow OpenMP's
-# variables, and respect the limits of memory and processor time of their control group.
+# environment variables, and respect their control group's limits of memory and processor time.
 bin=$1
 source=$2
 unset OMP_NUM_THREADS OMP_THREAD_LIMIT OMP_DYNAMIC OMP_PROC_BIND OMP_PLACES GOMP_CPU_AFFINITY
@@ -28,8 +28,8 @@ test_threads() {
     threads 1 env OMP_THREAD_LIMIT=1 "${box[@]}" --backend openmp --threads 3
     threads 2 "${box[@]}" --backend openmp --threads 2
     threads "$given" env OMP_PROC_BIND=true "${box[@]}" --backend openmp
-    # With OMP_DYNAMIC, OpenMP may use fewer threads under load. The stats must contain the size of the team that OpenMP
-    # reports.
+    # With OMP_DYNAMIC, OpenMP may use fewer threads under load. The stats must have the number of threads that OpenMP
+    # reports for its team.
     team=$(OMP_DYNAMIC=true OMP_DISPLAY_AFFINITY=TRUE OMP_AFFINITY_FORMAT='team of %N' "${box[@]}" --backend openmp 2>&1 |
         sed -n 's/.*team of \([0-9]*\).*/\1/p' | sort -n | tail -1)
     grep -q "\"threads\": ${team:-1}\b" s.json || fail "a team of ${team:-1} and $(grep threads s.json)"
@@ -67,13 +67,15 @@ free_of_places() {
         looks=$((looks + 1))
     done
     wait $program
-    # OpenMP binds the first thread before main() unbinds it, so the first samples may show a bound thread.
+    # OpenMP binds the first thread before main() unbinds it. Therefore the first masks that were read may be of a bound
+    # thread.
     bound=$(grep -cvx "$all" masks)
     [ $((4 * bound)) -lt "$(wc -l <masks)" ] || fail "$bound of $(wc -l <masks) threads seen are bound: $*"
     rm masks
 }
 
-# If a backend does not support a given option, this is an error. With `auto`, a backend that supports it is selected.
+# An option that the selected backend does not support is an error. With `auto`, a backend that supports the option is
+# selected.
 test_options_of_backends() {
     local backend
     refused() {
@@ -88,8 +90,9 @@ test_options_of_backends() {
     threads 1 "${box[@]}" --threads 1
 }
 
-# limited CONTROLLER FILE VALUE [FILE VALUE]: creates a control group of version 1 or 2, and writes the first of these
-# limits that it has; the case is skipped if this user cannot. enter COMMAND...: runs the command in the group.
+# limited CONTROLLER FILE1 VALUE1 FILE2 VALUE2: creates a control group and sets a limit in it: VALUE1 in FILE1, a file
+# of version 1 of control groups, or VALUE2 in FILE2, a file of version 2. The case is skipped if this user cannot set
+# the limit. enter COMMAND...: runs the command in the group.
 limited() {
     local parent=/sys/fs/cgroup
     [ -d $parent/"$1" ] && parent=$parent/$1
@@ -107,7 +110,8 @@ test_quota() {
 
 test_memory() {
     limited memory memory.limit_in_bytes $((700 << 20)) memory.max $((700 << 20))
-    # Fills the group's memory with page cache. Files that were read twice are on the kernel's list of active pages.
+    # Fills the group's memory with page cache. The file is read twice, because its pages are then on the kernel's list
+    # of active pages.
     enter sh -c 'head -c 800M /dev/zero >big; sync big; cat big big >/dev/null'
     expect 0 enter "${box[@]}" --backend openmp
     expect 2 enter "$bin/render" --fractal box "$source/paramsBox.dat" --output p.png --size 16000x16000

@@ -43,7 +43,7 @@ test_standard_streams() {
     same_file stdout a.bmp
     [ -e ./- ] && fail "a file called - is made"
     bulb --output /dev/stdout 2>stderr | head -c 10 >/dev/null
-    # If a message cannot be written, this is ignored. If a result cannot be written, the program fails.
+    # A program ignores that it cannot write a message. If it cannot write a result, it fails.
     awk '/^imageBulb/ { print 4 } { print }' paramsBulb.dat >warning.dat
     expect 0 "$bin/mandelbulb" warning.dat $small --output kept.bmp
     says 'warning: '
@@ -65,7 +65,7 @@ test_standard_streams() {
     expect 2 bash -c "'$bin/mandelbulb' paramsBulb.dat $small --output /dev/stdout >&-"
 }
 
-# With several samples per pixel, the background keeps its colour, and pixels at edges get colours in between.
+# With several samples per pixel, the background keeps its colour, and pixels at edges get mixed colours.
 test_samples() {
     expect 0 bulb --output a.png
     expect 0 bulb --samples 3 --output fine.png
@@ -80,7 +80,7 @@ test_samples() {
     for samples in 0 9 1.5 x; do expect 2 bulb --samples $samples; done
     expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
     says 'expected sides of up to'
-    # A line of old parameter files selects super-sampling, too.
+    # In old parameter files, an additional line also selects super-sampling.
     for number in 0 1; do
         awk -v n=$number '/^imageBulb/ { print n } { print }' paramsBulb.dat >super.dat
         expect 0 "$bin/mandelbulb" super.dat $small --output super.png
@@ -90,8 +90,8 @@ test_samples() {
     cmp -s a.png fine.png && fail "super-sampling changes nothing"
 }
 
-# The bits of regions are tested in unit/region_test.cpp. The whole picture may be larger than any that can be rendered
-# at once.
+# unit/region_test.cpp tests the bits of regions. The whole picture, of which a region is rendered, may be larger than
+# any picture that can be rendered at once.
 test_regions() {
     expect 0 bulb --output a.exr
     expect 0 bulb --region 0,0,40,30 --output region.exr
@@ -107,7 +107,8 @@ test_regions() {
     expect 2 bulb --region 0,0,4,4 --eyes 1
 }
 
-# imgdiff prints a `render --trace` command, which prints the steps of one ray and writes no picture.
+# If pictures differ, imgdiff prints a `render --trace` command. This command prints the steps of one ray and writes no
+# picture.
 test_differences_and_traces() {
     expect 0 bulb --output a.bmp
     expect 0 "$bin/mandelbox" paramsBox.dat $small --output box.bmp
@@ -145,7 +146,7 @@ test_statistics() {
         '"de_calls": [1-9]' '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
         grep -q "$text" stats.json || fail "statistics without $text"
     done
-    # A scene that is too fine for float: one line warns of this, and the stats say how the scene was rendered.
+    # The scene is too fine for float. One line warns of this, and the stats have the way in which it was rendered.
     sed 's/^14.0 8.0 10.0$/-2.0239316 -0.1431710 2.4512503/; s/^0 0 0$/-0.2198636 0.2761599 0.0554219/; s/^-4$/-3.7215097/
          s/^2 0.5 1$/2.1486392 0.7831253 1.4890415/; s/^18 100$/32 100/' paramsBox.dat >fine.dat
     expect 0 "$bin/mandelbox" fine.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
@@ -157,7 +158,7 @@ test_statistics() {
     grep -q '"unsettled": 0\.0,' stats.json || fail "the official scene is unsettled in the statistics"
 }
 
-# --version prints one line, with the version in CITATION.cff. Sanitizer builds have no bench.
+# --version prints one line, with the version that CITATION.cff has. Sanitizer builds have no bench.
 test_versions() {
     local version program
     version=$(sed -n 's/^version: //p' "$source/CITATION.cff")
@@ -214,7 +215,7 @@ test_parameter_files() {
     says 'frame: .* # behind a blank'
 }
 
-# Wrong output files are reported before anything is rendered.
+# An output file that cannot be written is reported before anything is rendered.
 test_output_files() {
     local name pair
     for name in image image.tiff; do
@@ -236,7 +237,7 @@ test_output_files() {
     mkdir gone
     (cd gone && rmdir ../gone && "$bin/mandelbulb" ../paramsBulb.dat $small --output a.bmp 2>"$top/folder/stderr")
     [ $? = 1 ] && [ "$(wc -l <stderr)" = 1 ] || fail "a deleted folder: $(head -c 300 stderr)"
-    # A file must not be used for two purposes. unit/files_test.cpp tests different names of one file.
+    # A program refuses to use one file for two purposes. unit/files_test.cpp tests different names of one file.
     expect 0 bulb --output a.bmp
     cp a.bmp twice.bmp
     ln -s twice.bmp link.bmp
@@ -271,7 +272,7 @@ test_odd_names() {
     [ "$(wc -c <stderr)" -lt 3000 ] || fail "a line of $(wc -c <stderr) bytes"
 }
 
-# A signal while a picture is rendered ends the program by that signal, and no file remains.
+# If a signal arrives while a picture is rendered, it ends the program, and no file remains.
 test_signals() {
     sed '0,/^[^#]/s/^[^#].*/90 90 90/' paramsBulb.dat >far.dat
     local signal
@@ -289,7 +290,7 @@ test_signals() {
     done
 }
 
-# Full disks, simulated by /dev/full and by a limit on file sizes. Formats are tested in unit/image_file_test.cpp.
+# The disk is full, which /dev/full and a limit on file sizes simulate. unit/image_file_test.cpp tests all formats.
 test_full_disk() {
     expect 1 bulb --output /dev/full
     says 'No space left'

@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 BIN, SOURCE = (os.path.abspath(path) for path in sys.argv[1:3])
-# Commands that this test does not run, and why. Their make targets must exist.
+# Commands that this test does not run, with the reasons. Their make targets must exist.
 NOT_RUN = {
     "make demo": "builds, and times every backend",
     "make test": "is what runs this test",
@@ -76,7 +76,7 @@ class ReadmeTest(unittest.TestCase):
 
     def test_a_command_that_fails_is_found(self):
         mutant = readme().replace("--simd-width 1 --output scalar.png", "--simd-width 1 --size 40x30 --output scalar.png")
-        mutant = "".join(f"```sh\n{command}\n```\n" for command in commands(mutant)[:6])  # up to the comparison
+        mutant = "".join(f"```sh\n{command}\n```\n" for command in commands(mutant)[:6])  # the last one is imgdiff
         found = failing(mutant, self.folder)
         self.assertEqual(len(found), 1, found)
         self.assertRegex(found[0], "^bin/imgdiff imageBulb.bmp scalar.png: exit code 1: ")

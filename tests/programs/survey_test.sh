@@ -10,8 +10,8 @@ run() {
     expect "$1" "$bin/render" --fractal "${@:2}" --size 40x40 --backend openmp --output p.png --stats s.json
 }
 stats() { grep -Eq -- "$1" s.json || fail "the statistics do not say '$1': $(grep -A8 survey s.json)"; }
-# change FILE NUMBER VALUES NUMBER VALUES ...: prints a parameter file in which the NUMBER-th line of values is replaced
-# by VALUES.
+# change FILE NUMBER VALUES NUMBER VALUES ...: prints the parameter file FILE, with the NUMBER-th line of values
+# replaced by VALUES, for each pair.
 change() {
     local file=$1
     shift
@@ -31,7 +31,7 @@ test_official_scenes() {
     done
 }
 
-# unit/parameter_file_test.cpp tests more files of other fractals.
+# A file that seems to be for another fractal gives a warning. unit/parameter_file_test.cpp tests more such files.
 test_another_fractals_file() {
     run 0 bulb paramsBox.dat
     says '^paramsBox.dat:[0-9]+: warning: these comments suit a mandelbox better than a mandelbulb'
@@ -55,8 +55,8 @@ test_nothing_in_view() {
     grep -q 'nothing' stderr && fail "a picture: $(cat stderr)"
 }
 
-# If the camera is inside the solid, all rays end at once. This is an error if the picture has one colour, else a
-# warning.
+# If the camera is inside the solid, all rays end at once. If the picture then has only one colour, this is an error,
+# otherwise a warning.
 test_inside_the_solid() {
     change paramsBulb.dat 1 ".1 .1 .1" 2 "1 2 3" >inside.dat
     run 2 bulb inside.dat
@@ -67,7 +67,7 @@ test_inside_the_solid() {
     stats '"in_solid": true'
 }
 
-# A detail level that is too fine for float and for double.
+# The detail level is too fine for float and for double.
 test_out_of_steps() {
     change paramsBox.dat 6 "-20" >fine.dat
     run 0 box fine.dat
@@ -75,8 +75,9 @@ test_out_of_steps() {
     stats '"out_of_steps": 0\.[0-9]*[1-9]'
 }
 
-# The camera is 1e-7 in front of the surface of the Mandelbulb of power 8, too near for float. The place was found by
-# bisection along a ray from the centre: the orbit of a point escapes, or does not within 100 iterations.
+# The camera is 1e-7 in front of the surface of the Mandelbulb of power 8, too near for float. Its place was found by
+# bisection on a ray from the centre, between points whose orbits escape within 100 iterations and points whose orbits
+# do not.
 test_too_near_for_float() {
     local mode
     change paramsBulb.dat 1 "0.78769342577692103 0.15967336230918755 0.13110231634875802" 2 "0 0 0" 4 1 6 -8 >deep.dat
@@ -90,7 +91,7 @@ test_too_near_for_float() {
     done
 }
 
-# Panoramas of all directions, 360 by 180 degrees.
+# A panorama shows all directions, 360 by 180 degrees.
 test_panoramas() {
     panorama() { "$bin/render" --fractal bulb paramsBulb.dat --projection equirectangular --output p.png "$@"; }
     expect 2 panorama --size 100x100

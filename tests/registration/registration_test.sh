@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases run by tests/cases.sh with BIN SOURCE PYTHON: a line in the list of backends is all that programs need to support
-# a backend. Programs with the skeleton's line support it; the same sources, built without that line, reject its name.
+# Cases run by tests/cases.sh with BIN SOURCE PYTHON: one line in the list of backends makes all programs support a
+# backend. Programs that are built with the skeleton's line support the backend skeleton. Programs that are built from
+# the same sources without that line reject the backend's name.
 bin=$1
 source=$2
 python=$3
@@ -20,7 +21,7 @@ test_lists() {
     says skeleton
 }
 
-# In fast mode there is a trial first, as for every backend but the reference. The bits are tested in tests/equivalence.
+# In fast mode a trial is rendered first, as with every backend but the reference. tests/equivalence tests the bits.
 test_pictures() {
     expect 0 "$bin/render_with_skeleton" "${scene[@]}" --backend skeleton --output exact.exr --stats exact.json
     grep -q '"backend": "skeleton"' exact.json || fail "another backend drew"
@@ -29,7 +30,7 @@ test_pictures() {
     grep -q "\"step_factor\": null" exact.json || fail "an exact picture has a trial"
 }
 
-# bench verifies and times it, and reports how it was built.
+# bench verifies and times the skeleton, and reports how it was built.
 test_bench() {
     expect 0 "$bin/bench_with_skeleton" --list "${race[@]}"
     prints '^mandelbox/float/exact/skeleton/0'

@@ -19,7 +19,7 @@ from typing import Any
 
 FRACTALS = ("mandelbulb", "mandelbox")
 NUMBER = r"\d[\d,]*(?:\.\d+)?"
-MARGIN = 1.02  # smaller ratios count as the same
+MARGIN = 1.02  # times whose ratio is smaller count as the same
 T_95 = dict(enumerate((12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462, 2.30600, 2.26216), 1))
 
 
@@ -42,8 +42,8 @@ def two_sided(t: float, freedom: int) -> float:
 
 
 class Times:
-    """A value and its interval. The interval is computed with Student's t from the logarithms of several runs' values,
-    and widened to contain the value."""
+    """A value and its 95 % interval. The interval is computed with Student's t from the logarithms of `runs`, the
+    values of single runs. If it does not contain the value, it is widened to contain it."""
 
     def __init__(self, value: float, runs: list[float]):
         logs = [math.log(one) for one in runs]
@@ -51,7 +51,8 @@ class Times:
         mean = statistics.mean(logs)
         self.value = value
         beyond = mean - math.log(MARGIN)
-        self.p = 1 if beyond <= 0 else two_sided(T_95[len(logs) - 1] * beyond / half, len(logs) - 1)  # if the true ratio is MARGIN
+        # The p-value for the hypothesis that the true ratio is MARGIN.
+        self.p = 1 if beyond <= 0 else two_sided(T_95[len(logs) - 1] * beyond / half, len(logs) - 1)
         self.ends = (min(math.exp(mean - half), value), max(math.exp(mean + half), value))
 
     def numbers(self, scale: float = 1) -> list[float]:
@@ -76,13 +77,13 @@ class File:
         return Times(statistics.median(sum(runs, [])), [statistics.median(one) for one in runs])
 
     def speed(self, name: str, base: str) -> Times:
-        """Returns the speed-up over the row `base`, in wall time."""
+        """Returns the speed-up, in wall time, of the row `name` over the row `base`."""
         own, other = self.runs(name, "wall"), self.runs(base, "wall")
         ratios = [statistics.median(b) / statistics.median(a) for a, b in zip(own, other)]
         return Times(statistics.median(sum(other, [])) / statistics.median(sum(own, [])), ratios)
 
     def ratio(self, above: str, below: str) -> Times:
-        """Returns the ratio of the kernel times of two rows, paired by round."""
+        """Returns the kernel time of the row `above` divided by that of the row `below`, paired by round."""
         a, b = ({(s["run"], s["round"]): s["kernel"] for s in self.rows[name]["samples"]} for name in (above, below))
         runs: dict[int, list[float]] = {}
         for at in [at for at in a if at in b]:
@@ -121,13 +122,13 @@ def ends(speeds: list[tuple[float, Times, float]]) -> list[float]:
 
 
 def comparisons(file: File) -> dict[str, Times]:
-    """Returns every other backend's kernel time divided by openmp's."""
+    """Returns, by row, the kernel time of every backend but openmp and reference, divided by openmp's."""
     rows = [row for row in file.rows.values() if row["samples"] and row["backend"] not in ("openmp", "reference")]
     return {row["name"]: file.ratio(row["name"], name_of(row["fractal"], row["precision"], row["mode"])) for row in rows}
 
 
 def decided(times: list[Times]) -> int:
-    """Returns how many of the values are significantly above MARGIN, with Holm's correction."""
+    """Returns the number of values that are significantly above MARGIN, with Holm's correction."""
     p_values = sorted(one.p for one in times)
     return next((k for k, p in enumerate(p_values) if p > 0.05 / (len(p_values) - k)), len(p_values))
 
@@ -201,7 +202,8 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
 
 
 def ladder(file: File, fractal: str) -> tuple[str, list[float]]:
-    """Returns the table of the ladder: each rung's time and gain over the rung before, and the gain of all together."""
+    """Returns the table of the ladder, as a sentence with its numbers: for each rung the time and the gain over the
+    rung before, and the gain of all rungs together."""
     rungs = [name for name, row in file.rows.items() if row["fractal"] == fractal]
 
     def gain(name: str, before: str) -> list[float]:
@@ -273,7 +275,7 @@ def faults(page: str, folder: Path) -> list[str]:
 
 
 def names(folder: Path) -> list[str]:
-    """Returns names on the page that contain digits: of machines, files and devices."""
+    """Returns the names on the page that contain digits: names of machines, files and devices."""
     cpus = [json.loads(p.read_text())["environment"]["cpu"] for p in (folder / "bench.json", folder / "xeon" / "targets.json")]
     machines = [f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads" for cpu in cpus]
     return [*machines, "bench.json", "Tesla K40"]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every number in the sentences of the report names a file and a place in it, and equals the value there;
-front_numbers.py computes each number of the front page again. Each check must fail on a wrong page or file."""
+"""Every number in the sentences of the report names a file and a place in it, and equals the value at that place.
+front_numbers.py computes each number of the front page again. Each check must fail if the page or a file is wrong."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from mandelreport.results import Results, read_results  # noqa: E402
 from mandelreport.sections import Material  # noqa: E402
 
 RESULTS = ROOT / "report" / "results"
-# Read once, as checking the schemas takes seconds.
+# The results, read only once, because checking their schemas takes seconds.
 READ = read_results(RESULTS)
 
 
 class Sentences(html.parser.HTMLParser):
-    """Numbers in the page's elements of class `traced`. traced: numbers that name a place; loose: texts with digits
-    that do not."""
+    """The numbers in a page's sentences, which are in elements of class `traced`. `traced`: the numbers that name a
+    place; `loose`: texts with digits that name none."""
 
     def __init__(self, page: str):
         super().__init__()
@@ -60,7 +60,7 @@ class Sentences(html.parser.HTMLParser):
 
 
 def number_at(files: dict[str, Any], place: str) -> float:
-    """Returns the number at a place: FILE#POINTER."""
+    """Returns the number at a place, which is given as FILE#POINTER."""
     name, _, pointer = place.partition("#")
     steps = pointer.split("/")[1:]
     value = files[name]
@@ -75,7 +75,7 @@ PLACE = re.compile(r"[\w./-]+#[\w/-]+")
 
 
 def value_of(files: dict[str, Any], source: str) -> float:
-    """Returns the value of a source: a formula of places, or their number."""
+    """Returns the value of a source. A source is a formula of places, or count(...), the number of places in it."""
     places = PLACE.findall(source)
     if source.startswith("count("):
         return len(places)
@@ -109,7 +109,7 @@ def material_of(results: Results) -> Material:
 
 
 def page_of(results: Results) -> str:
-    """Returns the front page, and the sections of the main part with sentences about results."""
+    """Returns the front page, followed by those sections of the main part that have sentences about results."""
     material = material_of(results)
     return front_page(material) + sections_of(material, ["method", "speed", "why", "parallel"])
 

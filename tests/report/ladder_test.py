@@ -13,23 +13,24 @@ PATH = sys.argv.pop() if len(sys.argv) > 1 else ""
 
 
 def rungs(data, fractal):
-    """Returns each rung's kernel times in seconds, by (run, round), in order."""
+    """Returns, for each rung in order, the kernel times in seconds by (run, round)."""
     rows = [row for row in data["rows"] if row["fractal"] == fractal]
     return [{(s["run"], s["round"]): s["kernel"] for s in row["samples"]} for row in rows]
 
 
 def gain(before, after):
-    """Returns the median, over the rounds that both have, of how many times as fast `after` is."""
+    """Returns how many times as fast `after` is: the median of the ratios in the rounds that both have."""
     return statistics.median(before[at] / after[at] for at in before if at in after)
 
 
 def published(data, question, fractal):
-    """Returns the ratios of a question: each rung's time over that of an earlier one."""
+    """Returns the ratios that answer a question: each rung's time divided by that of an earlier rung."""
     return [one["ratio"] for one in data["questions"][question] if one["numerator"].startswith(f"{fractal}/")]
 
 
 def outside(data, fractal):
-    """Returns the product of the published gains if it lies outside the interval of the whole; else None."""
+    """Returns the product of the published gains of the rungs if it lies outside the interval of the whole ladder's
+    gain, otherwise None."""
     product = math.prod(1 / ratio["median"] for ratio in published(data, "to_previous_value", fractal))
     low, high = (1 / end for end in reversed(published(data, "to_first_value", fractal)[-1]["interval"]))
     return None if low <= product <= high else product
@@ -46,7 +47,8 @@ class LadderTest(unittest.TestCase):
             times = rungs(self.data, fractal)
             steps = [gain(before, after) for before, after in zip(times, times[1:])]
             for own, ratio in zip(steps, published(self.data, "to_previous_value", fractal), strict=True):
-                self.assertAlmostEqual(own * ratio["median"], 1, 2, fractal)  # medians of ratios and of their inverses
+                # Approximately equal, because the median of inverse ratios is not exactly the inverse of the median.
+                self.assertAlmostEqual(own * ratio["median"], 1, 2, fractal)
             whole = gain(times[0], times[-1])
             self.assertAlmostEqual(whole * published(self.data, "to_first_value", fractal)[-1]["median"], 1, 2, fractal)
 

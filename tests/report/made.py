@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Synthetic result files, small and complete: parts of stored results, with other values."""
+"""Synthetic result files, small and complete. They are parts of stored results, with other values."""
 
 from __future__ import annotations
 
@@ -71,8 +71,8 @@ def count(fractal: str, iterations: int) -> dict[str, Any]:
 
 
 def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> dict[str, Any]:
-    """Returns a complete result, with the given rows or, by default, both fractals, precisions and modes on two
-    backends."""
+    """Returns a complete result, with the given rows or, by default, with rows of two backends for each fractal,
+    precision and mode."""
     made = (
         rows
         if rows is not None
@@ -149,7 +149,7 @@ def sweep(study: str, name: str, values: list[str]) -> dict[str, Any]:
 
 
 def write(folder: Path, files: dict[str, Any]) -> Path:
-    """Writes each file into the folder: text unchanged, other values as JSON. Returns the folder."""
+    """Writes each file into the folder and returns the folder. Text is written unchanged, any other value as JSON."""
     for name, data in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -226,7 +226,7 @@ def race(environment: dict[str, Any]) -> dict[str, Any]:
 
 
 def duel() -> dict[str, Any]:
-    """Returns a duel with a build for this processor."""
+    """Returns a duel whose second program was built for its processor, with -march=native."""
     build = {"compiler": "GNU 99", "flags": "-march=native -O3"}
     ratios = {"mandelbulb/double/exact": 0.9, "mandelbox/double/exact": 1.25, "mandelbox/double/fast": 0.8}
     return {

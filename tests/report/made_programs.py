@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fake bin/render and bin/imgdiff."""
+"""Fake programs that replace bin/render and bin/imgdiff."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
 
-# A fake render: writes a grey picture, in which one pixel differs for vulkan. opencl is not available, and another
+# A fake render, which writes a grey picture. With vulkan, one pixel of it differs. opencl is not available, and another
 # backend may fail.
 RENDER = f"""#!{sys.executable}
 import json, os, sys

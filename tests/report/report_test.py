@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the report's program on synthetic result files and checks the page. Each important check must also fail on
-broken input."""
+"""Runs the report's program on synthetic result files and checks the page. On broken input, each important check must
+fail."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from mandelreport.sections import gpu  # noqa: E402
 
 
 class Faults(html.parser.HTMLParser):
-    """Finds faults of a page: pictures without a description, and everything that it would load from elsewhere."""
+    """Finds the faults of a page: pictures without a description, and anything that the page loads from elsewhere."""
 
     def __init__(self, page: str):
         super().__init__()
@@ -93,22 +93,22 @@ class ReportTest(unittest.TestCase):
             re.findall(r'<section id="(\w+)"', page),
             ["front", *(name for name, _ in [*MAIN, *APPENDIX])],
         )
-        # Values from the files: the first row's 0.1 s and its interval, 1.17 degrees, 0.25 s per frame, the revision, a
-        # backend.
+        # The page has values from the files: the first row's 0.1 s and its interval, 1.17 degrees, 0.25 s per frame,
+        # the revision, a backend.
         for text in ("100 [95.0 – 105]", "1.17 deg", "0.25", "0123456789ab", "OpenMP"):
             self.assertIn(f">{text}", page)
         self.assertIn(">0.12 – 0.99<", page)  # range over two sets of random scenes
-        # The code convergence, and a race, in whose table a program with a wrong picture has no time.
+        # The page has the code convergence and a race. In the race's table, a program with a wrong picture has no time.
         self.assertIn("a convergence of 0.568", page)
         self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[434 – 480\]</td><td.*?>7.77</td>")
         self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
-        # A duel with a build for this processor.
+        # The page has a sentence on a duel with a build for the processor.
         times = "take 0.9 to 1.25 times as long in exact mode and 0.8 to 0.8 times in fast mode"
         self.assertIn(f"Compiled by GNU 99 with -march=native, the models {times}", re.sub("<.*?>", "", page))
-        # The ladder.
+        # The page has the table of the ladder.
         self.assertRegex(page, r"float for double</td><td.*?>33.3</td><td.*?>3.00</td><td.*?>\[2.86, 3.16\]</td>")
         self.assertRegex(page, r"all together</td><td.*?></td><td.*?>3.00</td>")
-        # Equal pictures are stored once: a correct and a wrong one of each fractal.
+        # Equal pictures are stored once. Therefore each fractal has two pictures, a correct and a wrong one.
         self.assertEqual(len(re.findall(r'id="pic-', page)), 4)
         self.assertIn("same bits", page)
         self.assertIn("1 px, 1 visibly, max 10", page)
@@ -117,7 +117,7 @@ class ReportTest(unittest.TestCase):
         again = self.make(made.everything(), "bin", seed="1", output="again", results="elsewhere")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual(page, self.page("again"))
-        # If a number in the files is changed, the page is another one.
+        # Negative control: if a number in the files is changed, the page differs.
         changed = made.everything()
         changed["bench.json"]["rows"][0]["figures"]["kernel_seconds"]["median"] = 0.7654
         self.make(changed, "bin", output="changed", results="changed")
@@ -163,11 +163,12 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(more.order(["skeleton", "vulkan 1", "vulkan", "openmp"]), ["openmp", "vulkan", "vulkan 1", "skeleton"])
         # A backend that is not in the registry gets the next number.
         self.assertEqual(of(registered).number_of("skeleton"), len(registered))
-        # If there are more series than colours, they are still distinguishable, in bars and in lines.
+        # Even if there are more series than colours, all series look different, as bars and as lines.
         many = [f"backend{number}" for number in range(40)]
         for kind in style.look, style.line:
             self.assertEqual(len({str(kind(of(many).number_of(name))) for name in many}), 40)
-        # If a result states the roles of backends, the roles are used, not the names.
+        # If a result states the roles of backends, the roles decide which backend is the reference and which is the
+        # host. The names do not matter.
         renamed = of(["oracle", "cores"], oracle="reference", cores="host")
         self.assertEqual((renamed.names, renamed.reference, renamed.host), (("cores", "oracle"), "oracle", "cores"))
 
@@ -190,8 +191,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(Faults(self.page()).found, [])
 
     def test_bad_files(self) -> None:
-        # Files stay in the folder during the test and are read in the order of their names. So each broken file below
-        # must come before the ones that are already there.
+        # Files stay in the folder during the test and are read in the order of their names. The first broken file is
+        # reported. Therefore each file below that is broken must come before the broken files that are already there.
         self.refused({"random.json": made.random_scenes() | {"version": 2}}, "random.json", "version: 1 was expected")
         cut_off = made.random_scenes()
         del cut_off["sums"][0]["sets"]
@@ -312,7 +313,7 @@ class ReportTest(unittest.TestCase):
         )
         film = flight.film_of_log("film.txt", log)
         self.assertEqual((film.fractal, film.frames, film.processes, film.per_frame), ("mandelbox", 600, 2, 0.25))
-        # A resumed film has no time for the whole film.
+        # The log of a film that was resumed has no time for the whole film.
         self.assertIsNone(flight.film_of_log("film.txt", log.replace("10 of 10", "4 of 10")))
         self.assertIsNone(flight.film_of_log("film.txt", "film: nothing\n"))
 

@@ -21,9 +21,10 @@ sys.path.insert(0, str(ROOT / "report"))
 from mandelreport import viewer  # noqa: E402
 
 CAMERA = ROOT / "report" / "viewer" / "camera.js"
-CLOSE = {"float": viewer.CLOSE, "double": 1e-14}  # relative: one or two roundings
+CLOSE = {"float": viewer.CLOSE, "double": 1e-14}  # allowed relative difference: one or two roundings
 LARGEST = {"float": 1e37, "double": 1e300}
-# Parameters that are tested in addition to the official scene's: the numbers of line 7, and the last number of line 8.
+# Parameters that are tested in addition to the official scene's. Each list has the three numbers of line 7 of a
+# parameter file and the last number of line 8.
 ODD = {
     "mandelbulb": [[0, 4, 3, 0], [0, 4, 2.5, 0], [0, 6, 8.5, 0], [0, 1e6, 40, 0]],
     "mandelbox": [[-1.5, 0.5, 1, 100], [3.1, 0.7, 0.6, 30], [2, 0.25, 1.5, 1e6]],
@@ -90,7 +91,7 @@ def main() -> int:
             official = row["official"]
             odd = [[*official["shape"], official["escape"]], *ODD.get(row["name"], [])]
             for numbers in odd:
-                # Parameter files are read in single precision.
+                # The numbers are rounded to float, because the programs read parameter files in float.
                 *shape, escape = (struct.unpack("f", struct.pack("f", number))[0] for number in numbers)
                 scene = official | {"shape": shape, "escape": escape, "size": [320, 180]}
                 file = Path(folder) / "scene.dat"
@@ -108,7 +109,7 @@ def main() -> int:
                         if precision == "float" and node:
                             ours = by_camera(table, row["name"], parameters(scene), fast)
                             wrong += [f"{where}: camera.js: {name}" for name in viewer.differing_fields(ours, printed, close)]
-                    # Negative controls: a constant, the step factor or the root share is changed.
+                    # Negative controls: if a constant, the step factor or the root share is changed, fields differ.
                     twins = [
                         ("fractal", row | {"constants": [f"(1.01 * {row['constants'][0]})", *row["constants"][1:]]}),
                         ("root_share", row | {"root_share": 1.5 * row["root_share"]}),

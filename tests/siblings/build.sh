@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# build.sh PRESET [TARGET...]: configures and builds the preset (default: all targets). Warnings are errors if CI is
-# set. Environment variable SPIRV: a folder with SPIR-V modules to use instead of building them.
+# build.sh PRESET [TARGET...]: configures the preset and builds the targets (default: all). Warnings are errors if CI is
+# set. If the environment variable SPIRV names a folder, its SPIR-V modules are used instead of building them.
 set -euo pipefail
 preset=$1
 shift

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# same_bits.sh BIN_A BIN_B: in exact mode the builds of two compilers give the same bytes and the same bits of depth.
-# Fast mode is the negative control.
+# same_bits.sh BIN_A BIN_B: the programs in BIN_A and BIN_B are built by different compilers. In exact mode they give
+# the same bytes and the same bits of depth. Fast mode is the negative control.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

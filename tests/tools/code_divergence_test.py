@@ -37,7 +37,7 @@ class LinesTest(unittest.TestCase):
             self.assertEqual(code_divergence.lines_of_code(text), lines, text)
 
     def test_convergence_is_one_minus_the_mean_of_jaccards_distances(self):
-        # The sets have 4 and 3 lines, of which 2 are the same lines: 5 different ones.
+        # The sets have 4 and 3 lines and share 2 of them. Together they have 5 lines.
         one, other = {"a": [1, 2], "b": [1, 2]}, {"a": [1, 2], "c": [7]}
         self.assertEqual(code_divergence.distance(one, one), 0)
         self.assertAlmostEqual(code_divergence.distance(one, other), 1 - 2 / 5, places=15)
@@ -57,7 +57,7 @@ class TreeTest(ToolTest):
         return json.loads(self.run_tool("code_divergence.py", "tree", "--json", "-").stdout)
 
     def refused(self, *arguments):
-        """Returns the only line of stderr of a call that exits with 2."""
+        """Runs the tool, expects exit code 2 and a single line on stderr, and returns this line."""
         done = self.run_tool("code_divergence.py", *arguments)
         self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), done.stderr)
         return done.stderr
@@ -67,14 +67,14 @@ class TreeTest(ToolTest):
         left, right = ([model[key] for key in ("backend", "lines", "lines_of_job", "lines_of_kernel")]
                        for model in result["models"])
         self.assertEqual(left, ["left", 2, 0, 4])
-        # The backend `right` has its own template instead of core/job's.
+        # For the backend `right`, its own template counts instead of the one in core/job.
         self.assertEqual(right, ["right", 4, 1, 3])
-        # The backends need 6 and 8 lines, of which 3 are the same lines: 11 different ones.
+        # The backends need 6 and 8 lines and share 3 of them. Together they need 11 lines.
         self.assertAlmostEqual(result["convergence"], 3 / 11, places=15)
         self.assertEqual(result["convergence_without_shared_kernel"], 0)
 
     def test_a_line_more_in_a_backend_is_more_divergence(self):
-        """Negative control: comments change nothing, code does."""
+        """Negative control: an additional comment changes nothing, but an additional line of code does."""
         before = self.result()
         self.write("tree/backends/left/l.cpp", TREE["backends/left/l.cpp"] + "// a comment\n\n")
         self.assertEqual(self.result(), before)
@@ -96,7 +96,7 @@ class TreeTest(ToolTest):
         self.assertIn("expected the folder of the program's sources", self.refused("tree"))
 
     def test_the_csv_of_this_tree_gives_the_same_convergence_as_the_json(self):
-        """Computes it as p3-analysis-library does."""
+        """Computes the convergence from the CSV as p3-analysis-library does."""
         done = self.run_tool("code_divergence.py", "--csv", "lines.csv", "--json", "lines.json")
         self.assertEqual(done.returncode, 0, done.stderr)
         csv.field_size_limit(sys.maxsize)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""figures_test.py: tools/figures.py fills marked places of documents from result files, and detects places whose
-contents are out of date."""
+"""figures_test.py: tools/figures.py fills the marked places of documents from result files, and detects places whose
+content is out of date."""
 import copy
 import json
 import unittest
@@ -106,7 +106,7 @@ class FiguresTest(ToolTest):
         self.results(changed)
         code, said, _ = self.figures(WORTH + TABLE, "--check")
         self.assertEqual(code, 1)
-        self.assertEqual(said.count("\n"), 2)  # the number and the table
+        self.assertEqual(said.count("\n"), 2)  # a line for the number and one for the table
         self.assertIn("the results say '2.00 [1.25, 1.75]'", said)
         self.assertIn("40.00", said)
 

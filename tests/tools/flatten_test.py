@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Literals of the kernel source get their GLSL suffixes; a literal that the build cannot read stops it."""
+"""cmake/FlattenKernel.cmake gives the literals of the kernel source their GLSL suffixes. If it cannot read a literal,
+the build stops."""
 
 from __future__ import annotations
 

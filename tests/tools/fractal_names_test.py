@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""No code branches on a fractal's name: strings with such names occur only in the fractal's files, in tests, and in the
-files listed in ALLOWED."""
+"""No code branches on a fractal's name. Therefore a fractal's name may occur as a string only in the fractal's files,
+in tests, and in the files listed in ALLOWED."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ ALLOWED = {
 
 
 def names() -> set[str]:
-    """Returns names and short names from the descriptors."""
+    """Returns the names and short names of all fractals, from their descriptors."""
     found = set()
     for row in (ROOT / "core" / "scene" / "fractals").glob("*.cpp"):
         found |= set(re.findall(r'\.(?:short_)?name = "(\w+)"', row.read_text(encoding="utf-8")))
@@ -36,7 +36,7 @@ def names() -> set[str]:
 
 
 def strings(text: str) -> set[str]:
-    """Returns the words that are in quotes outside comments, and the names after MM_FRACTAL_."""
+    """Returns the words in quotes outside comments, and the names that follow MM_FRACTAL_."""
     code = re.sub(r"//.*", "", text)
     return set(re.findall(r'"(\w+)"', code)) | set(re.findall(r"\bMM_FRACTAL_(\w+)", code))
 
@@ -63,7 +63,7 @@ class FractalNames(unittest.TestCase):
         self.assertEqual({file: here for file, here in files_with_names().items() if file not in ALLOWED}, {})
 
     def test_the_check_finds_names(self) -> None:
-        """Negative control: names in permitted files are found."""
+        """Negative control: the check finds the names in a file of ALLOWED."""
         self.assertIn("backends/reference/reference.cpp", files_with_names())
         self.assertEqual(strings('if (name == "julia") return;  // not "bulb"'), {"julia"})
         self.assertEqual(strings("#if defined(MM_FRACTAL_julia)"), {"julia"})

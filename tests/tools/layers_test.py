@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Sources include only files of lower layers, in the order of LAYERS. A listed folder includes its subfolders, unless
-they are listed themselves."""
+"""Sources include only files of their own folder and of lower layers, in the order of LAYERS. A folder of LAYERS
+contains its subfolders, except those that LAYERS lists themselves."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-# From the lowest layer to the highest. Folders of one layer must not include files of each other.
+# The layers, from the lowest to the highest. Folders of one layer must not include files of each other.
 LAYERS = [
     ["core/kernel"],
     ["core/base"],
@@ -44,7 +44,7 @@ LEVELS = {folder: level for level, folders in enumerate(LAYERS) for folder in fo
 
 
 def layer(path: str) -> str:
-    """Returns the longest listed folder that contains the file."""
+    """Returns the innermost folder of LAYERS that contains the file."""
     folder = Path(path).parent
     while str(folder) not in LEVELS:
         if folder == folder.parent:
@@ -54,7 +54,7 @@ def layer(path: str) -> str:
 
 
 def includes() -> Iterator[tuple[str, str]]:
-    """Yields (file, included file) for includes of the project's files by its sources."""
+    """Yields (file, included file) for each include of a project's file in the project's sources."""
     for top in sorted({folder.split("/")[0] for folder in LEVELS}):
         for path in sorted((ROOT / top).rglob("*")):
             if path.suffix in {".h", ".cpp", ".in", ".cl", ".comp", ".cu"}:

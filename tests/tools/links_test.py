@@ -23,13 +23,13 @@ def read(path):
 
 
 def anchors(text):
-    """Returns the anchors of the headings, in GitHub's form."""
+    """Returns the anchors of a page's headings, in GitHub's form."""
     found = re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S), re.M)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in found}
 
 
 def targets(path):
-    """Yields the links of a page, as (link, file, anchor), without links to other sites."""
+    """Yields each link of a page as (link, file, anchor). Leaves out links to other sites."""
     for link in LINK.findall(read(path)):
         if re.match(r"[a-z]+:", link):
             continue

@@ -32,7 +32,7 @@ class LoopMixTest(unittest.TestCase):
     def test_the_shortest_way_that_has_the_marks(self) -> None:
         way = loop_mix.loop(CODE, {"vrcp14": 1})
         self.assertEqual([text.split()[0] for text in way], ["vfmadd213ps", "je", "jne", "vrcp14ps", "vaddps", "jmp"])
-        self.assertEqual(len(loop_mix.loop(CODE, {})), 4)  # without marked instructions the shorter path is found
+        self.assertEqual(len(loop_mix.loop(CODE, {})), 4)  # if no instruction is required, a shorter path is found
         longer = loop_mix.loop(CODE, {"vrcp14": 1, "vmulp": 3})
         self.assertEqual(sum(text.startswith("vmulps") for text in longer), 3)
 

@@ -92,7 +92,7 @@ class TableTest(ToolTest):
         self.assertEqual(self.run_tool("path_csv.py", "export", "missing.json", "x.csv").returncode, 2)
 
 
-# Fakes of those parts of Blender's interface that the script uses.
+# Fakes of the parts of Blender's interface that blender_path.py uses.
 class Camera:
     def __init__(self):
         self.matrix_world = None
@@ -130,7 +130,8 @@ class BlenderTest(unittest.TestCase):
             gaze = blender_path.unit(blender_path.minus(was["look_at"], was["location"]))
             for a, b in zip(blender_path.unit(blender_path.minus(now["look_at"], now["location"])), gaze):
                 self.assertAlmostEqual(a, b, places=12)
-            # The camera's up vector is perpendicular to its gaze, in the plane of the path's up vector and gaze.
+            # The camera's up vector is perpendicular to its gaze, and lies in the plane of the gaze and the path's up
+            # vector.
             self.assertAlmostEqual(sum(a * b for a, b in zip(now["up"], gaze)), 0, places=12)
             self.assertGreater(sum(a * b for a, b in zip(now["up"], was["up"])), 0)
             self.assertEqual(now["brightness"], was["brightness"])

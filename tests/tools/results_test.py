@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/results.py in a synthetic repository, with a program that counts its calls."""
+"""Tests tools/results.py in a synthetic repository, with a fake bench that records its calls."""
 import os
 import subprocess
 import sys
@@ -12,8 +12,8 @@ LIST = """a.json 1 2 bench --runs {runs} --json {}
 b.txt 1 1 KIND=second bench print
 c.json 1 1 bench --json {}
 """
-# A fake bench: --version prints its version. Other calls are recorded, fail if the file `fails` matches them, and write
-# the requested output.
+# A fake bench. With --version it prints its version. It records any other call and writes the requested output. A call
+# fails if the recorded calls match the pattern in the file `fails`.
 BENCH = """#!/bin/sh
 if [ "$1" = --version ]; then echo "bench 0.1.0 ($(cat {folder}/built))"; exit; fi
 echo "$KIND $*" >> {folder}/calls
@@ -25,7 +25,7 @@ CLEAN, DIRTY = ('{"environment": {"git": {"dirty": %s}}}' % dirty for dirty in (
 
 
 def running(pid):
-    """Returns true if the process has not ended; a zombie counts as ended."""
+    """Returns true if the process is running. A zombie is not running."""
     try:
         with open(f"/proc/{pid}/stat", encoding="utf-8") as file:
             return file.read().rpartition(") ")[2][0] != "Z"
@@ -68,7 +68,7 @@ class ResultsTest(ToolTest):
         code, said = self.results()
         self.assertEqual(code, 0, said)
         self.assertEqual(self.read("output/a.json"), CLEAN)
-        # Negative control: the same exit code is a failure if it is not expected for this command.
+        # Negative control: if the list does not allow this exit code for the command, the exit code is a failure.
         self.write("list", "b.json 1 1 bench --json {}\n")
         self.assertEqual(self.results()[0], 1)
 
@@ -78,7 +78,7 @@ class ResultsTest(ToolTest):
         self.assertEqual(code, 0, said)
         self.assertIn("mandelmarch-code-divergence", self.read("output/a.json"))
         self.assertFalse(os.path.exists(self.path("calls")))
-        # Negative control: bin/ lacks the program.
+        # Negative control: without its folder, the program is expected in bin/, which lacks it.
         self.write("list", "b.json 0 1 code_divergence.py --json {}\n")
         self.assertNotEqual(self.results()[0], 0)
 
@@ -103,7 +103,7 @@ class ResultsTest(ToolTest):
         code, said = self.results()
         self.assertEqual(code, 0, said)
         self.assertIn("2 of them are there", said)
-        self.assertEqual(len(self.read("calls").splitlines()), 4)  # a, b, c and c again
+        self.assertEqual(len(self.read("calls").splitlines()), 4)  # for a, b, c, and again for c
 
     def test_what_is_stopped_leaves_nothing_running(self):
         self.write("bin/bench", BENCH.replace("{folder}", self.folder).replace("for last", "sleep 600 & echo $! > "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/setup on a synthetic system, whose apt-get and dpkg-query record their calls."""
+"""Tests tools/setup on a synthetic system, whose apt-get and dpkg-query record their calls."""
 import os
 import subprocess
 import unittest
@@ -21,7 +21,8 @@ class SetupTest(ToolTest):
             os.chmod(self.path(name), 0o755)
 
     def run_on(self, system, *arguments):
-        """Returns exit code, output, and recorded calls."""
+        """Runs tools/setup on a system with this os-release file. Returns the exit code, the output, and the recorded
+        calls."""
         self.write("os-release", system)
         environment = os.environ | {"PATH": f"{self.folder}:{os.environ['PATH']}", "MANDELMARCH_OS_RELEASE": self.path("os-release")}
         done = subprocess.run(["bash", os.path.join(TOOLS, "setup"), *arguments], capture_output=True, text=True, env=environment,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The base class of tests that run a script of tools/ in an empty folder."""
+"""The base class of tests that run a script of the folder tools in an empty folder."""
 import os
 import subprocess
 import sys
@@ -20,7 +20,7 @@ class ToolTest(unittest.TestCase):
         return os.path.join(self.folder, name)
 
     def write(self, name, text, encoding="utf-8"):
-        """Writes a file, with the line ends of the text."""
+        """Writes text to a file, with its line ends unchanged."""
         os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
         with open(self.path(name), "w", encoding=encoding, newline="") as file:
             file.write(text)
@@ -30,6 +30,6 @@ class ToolTest(unittest.TestCase):
             return file.read()
 
     def run_tool(self, name, *arguments):
-        """Runs tools/NAME in the folder."""
+        """Runs the script `name` of tools/ in the test's folder."""
         return subprocess.run([sys.executable, os.path.join(TOOLS, name), *arguments], cwd=self.folder, capture_output=True,
                               text=True, check=False)

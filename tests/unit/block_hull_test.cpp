@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp fills a subtile without marching if all its rays miss the hull. The bytes must be the same as if the hull were
-// tested for every ray.
+// If all rays of a subtile miss the hull, openmp fills the subtile without marching. The bytes must be the same as if
+// each ray were tested against the hull.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ struct Drawn {
     openmp::WorkCounts spent;
 };
 
-// Renders the bytes of a picture with the best variant. `share` scales the hull against which openmp tests a whole
-// subtile; 0: openmp tests each ray instead.
+// Renders the bytes of a picture with the widest packs that count. `share` scales the hull against which openmp tests
+// whole subtiles; 0: openmp tests each ray instead.
 template <class Real>
 Drawn<Real> draw(const Scene& scene, Mode mode, double share)
 {
@@ -35,7 +35,7 @@ Drawn<Real> draw(const Scene& scene, Mode mode, double share)
     openmp::Picture<Real> picture(scene, mode, {}, variant, notes);
     const Band band{.first_row = 0, .rows = scene.height};
     openmp::Canvas<Real> canvas = picture.canvas({0, 1}, band, {.bytes = drawn.bytes.data()});
-    canvas.cones = false;  // cones start at the block hull, so that scaling it would change the samples
+    canvas.cones = false;  // cones start at the block hull; with them, scaling the hull changes the samples
     canvas.block_hull *= static_cast<Real>(share);
     openmp::TileQueue queue(scene.width, band, 1);
     openmp::TileQueue::Share tiles{queue};
@@ -70,7 +70,8 @@ TEST(BlockHull, PaintsWhatNoRayHits)
     expect_same<double>(Mode::exact);
 }
 
-// Negative control: a block hull at 0.9 of its size cuts off edges of the fractal, so openmp does fill whole subtiles.
+// Negative control: if the block hull is scaled to 0.9 of its size, edges of the fractal are cut off. This shows that
+// openmp does fill whole subtiles.
 TEST(BlockHull, TooSmallCutsEdges)
 {
     for (const Mode mode : {Mode::fast, Mode::exact}) {

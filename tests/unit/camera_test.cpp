@@ -23,7 +23,7 @@ Scene all_directions(int width, int height)
     return scene;
 }
 
-// The reference and the kernel compute directions with different formulas; their pictures must agree.
+// The reference and the kernel compute the directions of rays with different formulas. Their pictures must agree.
 TEST(AllDirections, AreTheReferencesOwn)
 {
     for (const char* fractal : {"bulb", "box"}) {
@@ -41,8 +41,8 @@ TEST(AllDirections, AreTheReferencesOwn)
     }
 }
 
-// The middle column of the picture looks at the target; the column a quarter of the width further right looks to the
-// camera's right.
+// Rays in the middle column of the picture go towards the target. Rays in the column that is a quarter of the width
+// further right go to the camera's right.
 TEST(AllDirections, TurnWithTheColumns)
 {
     Scene scene = all_directions(64, 32);
@@ -60,8 +60,8 @@ TEST(AllDirections, TurnWithTheColumns)
     EXPECT_TRUE(std::isinf(depth(aside, 32, 16)));
 }
 
-// Some optimisations of fast mode use the distance between pixels. They must support this camera: the picture must be
-// the canonical one.
+// Some techniques of fast mode use the distance between pixels, which differs between the usual camera and this one.
+// The picture must be the canonical one with this camera, too.
 TEST(AllDirections, FastDrawsTheCanonicalPicture)
 {
     for (const char* fractal : {"bulb", "box"}) {
@@ -91,7 +91,7 @@ protected:
         return image;
     }
 
-    // Returns the mean column of the hits in one half of the picture.
+    // Returns the mean column of the hits in one half of the picture. `side`: negative for the left half.
     static double middle(const Image& image, int side)
     {
         const int half = image.width() / 2;
@@ -123,8 +123,8 @@ TEST_F(TwoEyes, EachHasTheBitsOfItsOwnPicture)
     }
 }
 
-// A point that is nearer than the screen is further right in the left eye's picture than in the right eye's; a point
-// behind the screen is further left.
+// If a point is nearer than the screen, it is further right in the left eye's picture than in the right eye's. If it is
+// behind the screen, it is further left.
 TEST_F(TwoEyes, SeeNearThingsCrossed)
 {
     const double distance = 3;
@@ -143,7 +143,8 @@ TEST_F(TwoEyes, NeedAnEvenWholePicture)
     EXPECT_THROW(drawn(0.1), InputError);
 }
 
-// In a panorama the two eyes turn with the direction. If they did not, there would be no parallax to the side.
+// In a panorama the line between the two eyes turns with the direction of the ray. If it did not turn, objects at the
+// camera's sides would have no parallax.
 TEST_F(TwoEyes, TurnWithTheDirectionOfAPanorama)
 {
     scene.width = 1440;
@@ -152,12 +153,13 @@ TEST_F(TwoEyes, TurnWithTheDirectionOfAPanorama)
     for (const Vector ahead : {Vector{0, 0, -1}, Vector{1, 0, 0}, Vector{-1, 0, 0}, Vector{1, 0, 0.5}}) {
         scene.target = scene.eye + ahead;
         const Image image = drawn(0.4);
-        const double parallax = middle(image, -1) - middle(image, 1);  // columns
+        const double parallax = middle(image, -1) - middle(image, 1);  // in columns
         EXPECT_NEAR(parallax, 720 * 0.4 / (2 * std::numbers::pi * 3), 2.5) << ahead.x << ' ' << ahead.z;
     }
 }
 
-// Exact mode is used because in fast mode a pixel may depend on the strip that it is rendered in.
+// If both eyes are at one place, each sees the same panorama. The test uses exact mode, because in fast mode a pixel
+// may depend on the strip in which it is rendered.
 TEST_F(TwoEyes, AtOnePlaceSeeThePanorama)
 {
     scene.width = 320;

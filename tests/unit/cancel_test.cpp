@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders that are cancelled.
+// Tests cancelling a render.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST(Cancelling, EveryBackendEndsAndDrawsAgain)
     }
 }
 
-// The picture is a single band, so the test checks cancellation between tiles, not between bands.
+// The picture is a single band. Therefore this tests cancelling between tiles, not between bands.
 TEST(Cancelling, OpenmpDrawsNoMoreTiles)
 {
     const Registry registry = all_backends();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cores and memory that are available under control groups, affinity and OpenMP's variables. Test folders replace the
-// system's /proc and /sys.
+// Tests the numbers of cores and bytes of memory that are available under control groups, affinity masks and OpenMP's
+// variables. Temporary folders replace the system's /proc and /sys.
 #include "core/base/cores.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,8 @@ TEST(MemoryLeft, CountsNoPageCacheOfVersion2)
     // Negative control: memory that is not page cache counts as used.
     tree.write("/sys/fs/cgroup/job/memory.stat", "anon 733000000\ninactive_file 0\n");
     EXPECT_EQ(memory_left_in_groups(tree.root()), 734003200 - 733000000);
-    // memory.high is a limit, too. If the cache is larger than the used memory, not more than the limit is available.
+    // memory.high is a limit, too. The page cache does not count as used. Even if the cache is larger than all used
+    // memory, no more than the limit is available.
     tree.write("/sys/fs/cgroup/job/memory.high", "104857600\n")
         .write("/sys/fs/cgroup/job/memory.stat", "inactive_file 900000000\n");
     EXPECT_EQ(memory_left_in_groups(tree.root()), 100 * mebibyte);
@@ -88,7 +89,7 @@ TEST(MemoryLeft, CountsNoPageCacheOfVersion2)
 TEST(MemoryLeft, CountsNoPageCacheOfVersion1)
 {
     Tree tree("9:name=systemd:/\n4:memory:/docker/abc\n");
-    // In a container, the folder of its group is /sys/fs/cgroup/memory itself, not the path in /proc/self/cgroup.
+    // In a container, the folder of its group is /sys/fs/cgroup/memory itself, without the path of /proc/self/cgroup.
     tree.write("/sys/fs/cgroup/memory/memory.limit_in_bytes", "734003200\n")
         .write("/sys/fs/cgroup/memory/memory.usage_in_bytes", "734000000\n")
         .write("/sys/fs/cgroup/memory/memory.stat",
@@ -164,8 +165,8 @@ TEST(CoreCount, ReadsOpenmpsVariables)
     EXPECT_EQ(binding(), "");
 }
 
-// The available cores are those that the process had at its start. A mask that a thread sets for itself does not change
-// them.
+// The available cores are the cores that the process had at its start. If a thread changes its own affinity mask, they
+// stay the same, and restore_affinity() gives them back to the thread.
 TEST(Affinity, IsThatOfTheProcessesStartAndCanBeRestored)
 {
     const int given = cores().given;

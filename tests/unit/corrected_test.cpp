@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // core/kernel/prelude/glsl_corrected.h corrects divisions and square roots on devices whose results are off by some
-// units in the last place. The test compiles it with a number type that simulates such a device.
+// units in the last place. The test compiles this header with a number type that simulates such a device.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -60,7 +60,7 @@ private:
     std::mt19937 random_{1};
 };
 
-// Returns how many corrected divisions and square roots, of random values, differ from IEEE 754's results.
+// Corrects divisions and square roots of random values, and returns the number of results that differ from IEEE 754's.
 int wrong()
 {
     Numbers numbers;
@@ -80,7 +80,7 @@ TEST(Corrected, QuotientsAndRootsAreThoseOfIeeeWhereTheDevicesAreUnitsOff)
     units_off = 0;
 }
 
-// Negative control: if a result is far off, the Newton step cannot correct it.
+// Negative control: if the device's result is far off, the correction, a Newton step, cannot mend it.
 TEST(Corrected, ADeviceThatIsFarOffIsNotMended)
 {
     units_off = 1 << 20;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of environment variables is that of docs/environment.md, and nothing else reads the environment.
+// docs/environment.md has the same table of environment variables as core/base/environment.h. Only
+// core/base/environment.cpp reads the environment.
 #include "core/base/environment.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extreme scenes are reproducible, valid as parameter files, and varied; at least a third of them show a surface.
+// Extreme scenes are reproducible, valid as parameter files, and varied. At least a third of them show a surface.
 #include "core/scene/extreme_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An output file appears complete or not at all, also through links and descriptors, and after signals. A command must
-// not use one file for two purposes, even under different names.
+// An output file appears complete or not at all, even if it is written through a link or descriptor, or if a signal
+// ends the program. A command must not use one file for two purposes, even under different names.
 #include "core/base/output_file.h"
 
 #include <fcntl.h>
@@ -40,7 +40,8 @@ std::size_t entries(const fs::path& folder)
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-// Forks a process that calls `child` and then sleeps, and sends it the signal. Returns its status from waitpid().
+// Forks a process that calls `child` and then sleeps. Sends the signal to this process and returns its status from
+// waitpid().
 int end_of(const std::function<void()>& child, int signal)
 {
     std::array<int, 2> ready{};

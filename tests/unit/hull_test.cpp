@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hulls do not change a bit of exact pictures, and save work. The proofs are in docs/hulls.md.
+// Hulls save work and do not change a bit of exact pictures. docs/hulls.md has the proofs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(Hull, ChangesNoBitOfRandomScenes)
     EXPECT_GT(with_hull, 100);
 }
 
-// Returns how many pixels change if the hull's size is multiplied by `share`, for negative controls.
+// Returns the number of pixels that change if the hull's size is multiplied by `share`.
 template <class KernelScene, class Draw>
 int changed(const Scene& scene, double share, Draw draw)
 {
@@ -87,12 +87,13 @@ TEST(Hull, IsAbsentWhereNothingIsProven)
     scene.shape[2] = 1;
     EXPECT_EQ(size_of(scene), 0);
     scene.shape[2] = 8;
-    scene.shape[1] = 1e5;  // escape radius that no orbit reaches in one iteration
+    scene.shape[1] = 1e5;  // an escape radius that no orbit reaches in one iteration
     scene.iterations = 1;
     EXPECT_EQ(size_of(scene), 0);
 }
 
-// Checks the bounds on which hulls are based: at points on the hull, the estimate in double must exceed the tolerance.
+// Checks the bounds on which the hull's proof is based. At points on the hull, the estimate in double must exceed the
+// tolerance.
 TEST(Hull, NoPointOutsideIsASurface)
 {
     const Scene scene = official_scene("box", 10, 10);
@@ -103,7 +104,7 @@ TEST(Hull, NoPointOutsideIsASurface)
         const double u = -1 + 2 * std::fmod(i * 0.618033988749895, 1);
         const double v = -1 + 2 * std::fmod(i * 0.754877666246693, 1);
         const box64::vec3 p{size, u * size, v * size};
-        const double t = std::sqrt(3.0) * size + 19;  // maximum distance from this camera
+        const double t = std::sqrt(3.0) * size + 19;  // not less than the point's distance from the camera
         EXPECT_GT(box64::estimate(k, p, true).distance, k.tolerance * t) << p.y << " " << p.z;
     }
 }

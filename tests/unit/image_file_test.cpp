@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Picture files: what is written can be read, a file appears complete or not at all, and pipes can be written to.
+// Tests that picture files can be read after they are written, that they appear complete or not at all, and that
+// pictures can be written to pipes.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -78,7 +79,7 @@ TEST_F(Files, EveryFormatComesBack)
     }
 }
 
-// Returns the picture as decoded by libjpeg, from the top row.
+// Returns the bytes of the picture that libjpeg decodes from a file, beginning with the top row.
 std::vector<std::uint8_t> decoded_jpeg(const std::string& file, unsigned& width, unsigned& height)
 {
     jpeg_decompress_struct info{};
@@ -223,7 +224,7 @@ TEST(Averaged, PixelsAreMeansOfTheirSamples)
     const Image image = averaged(samples, 2);
     ASSERT_EQ(image.width(), 2);
     ASSERT_EQ(image.height(), 1);
-    EXPECT_EQ(image.bytes()[0], 3);  // mean 2.5 of 0, 1, 4, 5
+    EXPECT_EQ(image.bytes()[0], 3);  // the mean of 0, 1, 4, 5 is 2.5
     EXPECT_EQ(image.bytes()[3], 5);
     EXPECT_EQ(image.values()[0].red, 2.5);
     EXPECT_EQ(image.values()[0].depth, 2);

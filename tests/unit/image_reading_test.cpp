@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading of picture files that other programs wrote, and of damaged files.
+// Tests reading picture files that other programs wrote, and damaged files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -59,7 +59,7 @@ std::string stored(const std::string& data)
 
 const std::string png_end = chunk("IEND", "");
 
-// Returns a grey PNG with `bits` per channel and the bytes `pixels`, stored as one row.
+// Returns a grey PNG of one row, with `bits` per channel. `pixels`: the bytes of the row.
 std::string png(std::uint32_t width, std::uint32_t height, int bits, const std::string& pixels)
 {
     const std::string header = big_endian(width) + big_endian(height) + static_cast<char>(bits) + std::string(4, '\0');
@@ -94,7 +94,7 @@ TEST(PngReading, AFileThatEndsEarlyIsRefused)
 {
     const std::string whole = png(3, 1, 8, "abc");
     EXPECT_NO_THROW(decoded(decode_png, whole));
-    // A file that lacks only its end chunk, which is allowed, still has all pixels.
+    // A shorter file must be refused. A file that lacks only its end chunk is accepted, because it has all pixels.
     for (std::size_t size = 0; size < whole.size() - png_end.size(); ++size) {
         EXPECT_NE(refusal(decode_png, whole.substr(0, size)), "not refused") << size << " of " << whole.size();
     }
@@ -156,15 +156,15 @@ TEST(ExrReading, ColoursAloneAreComparedWhereThereIsNoDepth)
 
 TEST(ExrReading, ColoursAreLightUnlessTheyAreAnOldFilesOfOurs)
 {
-    // Linear light of 0.5 is displayed as 187.5 of 255; reading truncates that.
+    // Linear light of 0.5 is displayed as 187.5 of 255, which reading truncates.
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B"})).bytes()[0], 187);
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "Z"})).bytes()[0], 187);
     EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "depth"})).bytes()[0], 127);
     EXPECT_TRUE(decoded(decode_exr, exr({"R", "G", "B", "depth"})).has_depths());
 }
 
-// The channels R, G and B contain linear light, as compositing programs expect. The displayed values, from 0 to 1, are
-// read back bit for bit.
+// The channels R, G and B contain linear light, as compositing programs expect. Reading the file gives the displayed
+// values, from 0 to 1, back bit for bit.
 TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
 {
     Image image(3, 1, Image::Layers::all);
@@ -202,7 +202,7 @@ TEST(ExrWriting, ColoursAreLightAndDepthIsZ)
     EXPECT_TRUE(std::isinf(depth[1]));
 }
 
-// Returns the EXR with (x, y) as the last corner of its data window.
+// Returns the EXR with (x, y) as the far corner of its data window, the corner with the largest coordinates.
 std::string claiming(std::string file, std::int32_t x, std::int32_t y)
 {
     const std::string before("dataWindow\0box2i\0\x10\0\0\0", 21);
@@ -229,7 +229,7 @@ TEST(ExrReading, AHeaderThatClaimsMoreThanTheFileIsRefused)
 {
     std::string file = exr({"R", "G", "B"});
     const std::string name("dataWindow\0box2i", 16);
-    file.at(file.find(name) + name.size() + 4) = '\x7f';  // highest byte of its size
+    file.at(file.find(name) + name.size() + 4) = '\x7f';  // the highest byte of the attribute's size
     EXPECT_TRUE(holds(refusal(decode_exr, file), "ends in its header"));
 }
 
@@ -259,7 +259,7 @@ TEST(Reading, TopDownAnd32BitBmpsAreRead)
     bmp[14] = 40;
     bmp[18] = 1;
     for (int i = 22; i < 26; ++i) bmp[static_cast<std::size_t>(i)] = '\xff';
-    bmp[22] = '\xfe';  // height -2: top row first
+    bmp[22] = '\xfe';  // height -2, which means that the top row is first
     bmp[26] = 1;
     bmp[28] = 32;
     bmp[54] = 10;  // blue of the top row
@@ -288,7 +288,7 @@ std::string masked_bmp(std::uint32_t red, std::uint32_t green, std::uint32_t blu
     if (header_bytes > header.size()) header.resize(header_bytes, '\0');
     std::string pixels;
     for (std::uint32_t i = 1; i <= 4; i += 3) {
-        // All bits outside the three masks, such as alpha, are 1.
+        // Sets all bits outside the three masks, such as those of alpha, to 1.
         pixels += little_endian(~(red | green | blue) | i * (red & (~red + 1)) | (i + 1) * (green & (~green + 1)) |
                                     (i + 2) * (blue & (~blue + 1)),
                                 4);
@@ -319,7 +319,7 @@ TEST(BmpMasks, OfOtherNumbersOfBitsAreMadeBytes)
     const Image image = decode_bmp(std::as_bytes(std::span(full)), "memory");
     EXPECT_EQ(image.bytes()[0], 255);
     EXPECT_EQ(image.bytes()[1], 0);
-    EXPECT_EQ(image.bytes()[2], 127);  // 511 of 1023
+    EXPECT_EQ(image.bytes()[2], 127);  // from the value 511 of 1023
     for (const std::uint32_t bad : {0U, 0xf0f0U}) {
         const std::string wrong = masked_bmp(bad, 0xff000000, 0xff0000, 40);
         EXPECT_THROW(decode_bmp(std::as_bytes(std::span(wrong)), "memory"), InputError);
@@ -328,7 +328,7 @@ TEST(BmpMasks, OfOtherNumbersOfBitsAreMadeBytes)
 
 TEST(Pnm, IsReadAsTextAndBytes)
 {
-    const std::pmr::vector<std::uint8_t> wanted{4, 5, 6, 255, 0, 9, 1, 2, 3, 0, 0, 255};  // from the bottom row
+    const std::pmr::vector<std::uint8_t> wanted{4, 5, 6, 255, 0, 9, 1, 2, 3, 0, 0, 255};  // begins with the bottom row
     const auto read = [](const std::string& file) {
         return decode_pnm(std::as_bytes(std::span(file)), "memory").bytes();
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Isolation of drivers: if a driver crashes, hangs or ends its process, the program gets an error.
+// Tests the isolation of drivers. If a driver crashes, hangs or ends its process, the program gets an error.
 #include "core/isolation/isolated.h"
 
 #include <fcntl.h>
@@ -19,7 +19,8 @@
 namespace mandelmarch {
 namespace {
 
-// Behaviours of the fake driver (misbehave()), selected by the index of the device; `conducts`: their number.
+// Behaviours of the fake driver, which misbehave() implements. The index of the device selects one. `conducts` is their
+// number.
 enum Conduct : int { draws, aborts, crashes, exits, leaves, hangs, refuses, lacks, dislikes, starves, conducts };
 // The call in which the driver misbehaves.
 enum class Where { listing, opening, drawing, releasing, nowhere };
@@ -30,7 +31,7 @@ void misbehave(Conduct conduct)
     switch (conduct) {
         case aborts: std::abort();
         case crashes:
-            std::signal(SIGSEGV, SIG_DFL);  // replaces a sanitizer's handler
+            std::signal(SIGSEGV, SIG_DFL);  // removes a sanitizer's handler
             raise(SIGSEGV);
             break;
         case exits: std::exit(0);
@@ -53,7 +54,7 @@ public:
         if (where_ == Where::releasing) misbehave(conduct_);
     }
 
-    // Renders a picture that depends on the scene. If the scene's detail is -9, writes nothing into the image.
+    // Renders a picture that depends on the scene. If the scene's detail level is -9, writes nothing into the image.
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         if (where_ == Where::nowhere) std::puts("driver: junk on stdout");
@@ -119,7 +120,8 @@ Scene bad_scene()
     return scene;
 }
 
-// Returns the message of the exception that `call` throws; "" if it throws none of that type.
+// Returns the message of the Exception that `call` throws; "" if it throws none. If the exception is of another type,
+// the text "another exception" precedes the message.
 template <class Exception, class Call>
 std::string thrown_by(const Call& call)
 {
@@ -157,7 +159,7 @@ protected:
 
 TEST_F(Isolation, DrawsTheSamePictureAndReport)
 {
-    // The renderer outlives its backend.
+    // The renderer is used after its backend was destroyed.
     const auto renderer = made(Where::nowhere)->create({.device = draws});
     for (const auto& [width, height, layers] : {std::tuple(5, 3, Image::Layers::all),
                                                 {600, 400, Image::Layers::all},
@@ -180,8 +182,8 @@ TEST_F(Isolation, DrawsTheSamePictureAndReport)
     }
 }
 
-// Negative control of the previous test: if a driver writes no pixels, the image is black and does not show an earlier
-// picture.
+// Negative control of the previous test: if a driver writes no pixels, the image stays black. It does not show an
+// earlier picture.
 TEST_F(Isolation, APictureThatWasNotDrawnIsBlack)
 {
     const auto renderer = made(Where::nowhere)->create({.device = draws});
@@ -201,7 +203,7 @@ TEST_F(Isolation, ACancelledDrawingLeavesTheProcessAsItWas)
     EXPECT_NE(image.bytes()[1], 0);
 }
 
-// The driver hangs, so it sends no progress after the request to cancel. The render must then end without waiting for
+// The driver hangs and therefore sends no progress after the request to cancel. The render must end without waiting for
 // the driver.
 TEST_F(Isolation, ADeviceThatHangsIsNotWaitedForLongerWhereItIsCancelled)
 {
@@ -235,7 +237,7 @@ TEST_F(Isolation, AProcessThatEndsIsAnErrorThatSaysWhereAndHow)
         }
         const std::string before = thrown_by<Error>([&] { opening->create(options); });
         EXPECT_NE(before.find("while opening the device"), std::string::npos) << before;
-        // The same renderer draws in a new process.
+        // Afterwards the same renderer renders in a new process.
         EXPECT_TRUE(drawn(*renderer));
     }
 }

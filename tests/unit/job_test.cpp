@@ -11,10 +11,10 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double device_seconds = 7;  // time of each launch, by the fake device's clock
+constexpr double device_seconds = 7;  // duration of each launch by the fake device's clock
 
-// A fake kernel: sets every byte of the rows to 200, except the second byte, which it sets to the number of pixels per
-// thread. Leaves the other layers unchanged.
+// A fake kernel. Sets every byte of the rows to 200, but the second byte to the number of pixels per thread. Does not
+// change layers other than the bytes.
 void draw(const void* address, int width, int rows)
 {
     const auto& job = *static_cast<const job::KernelArguments<layout_f32::Scene, float>*>(address);
@@ -23,7 +23,7 @@ void draw(const void* address, int width, int rows)
     job.bytes[1] = static_cast<unsigned char>(job.pixels_of_thread);
 }
 
-// Calls that the fake model received.
+// The calls that the fake model has received.
 struct Asked {
     int allocations = 0;
     int launches = 0;
@@ -101,7 +101,7 @@ TEST_F(KernelArguments, ARendererKeepsItsMemoryFromPictureToPicture)
     drawn(*renderer, 20, 20);
     drawn(*renderer, 10, 10);
     EXPECT_EQ(asked_.allocations, taken);
-    drawn(*renderer, 200, 20);  // a single row is larger than the band that memory was allocated for
+    drawn(*renderer, 200, 20);  // a single row is larger than the band for which memory was allocated
     EXPECT_GT(asked_.allocations, taken);
 }
 
@@ -120,8 +120,8 @@ TEST_F(KernelArguments, KernelIsTheDevicesOwnTime)
     EXPECT_LT(timings.host, device_seconds);
 }
 
-// With refill, a thread gets up to eight pixels, but only so many that two waves of threads remain. Without refill, it
-// gets one.
+// With refill, a thread gets up to eight pixels, but fewer if the threads would otherwise fill less than two waves.
+// Without refill, a thread gets one pixel.
 TEST_F(KernelArguments, FewPixelsLeaveAThreadForEach)
 {
     const auto pixels_of_thread = [&](bool refill, int width, int height) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scalar kernel: its elementary functions, its gradients, and its entry points that work on stored rays.
+// Tests the scalar kernel: its elementary functions, its gradients, and its entry points that work on stored rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,10 +63,10 @@ TEST(ElementaryFunctions, WholePowers)
 
 struct Gradients {
     int hits = 0;
-    int off = 0;  // hits where the analytic gradient is not parallel to the one from central differences
+    int off = 0;  // hits at which the analytic gradient is not parallel to that from central differences
 };
 
-// Compares the gradients at the visible points of 40 x 40 pixels.
+// Compares the analytic gradients with those from central differences, at the visible points of 40 x 40 pixels.
 template <class KernelScene>
 Gradients gradients(const KernelScene& k)
 {
@@ -83,7 +83,7 @@ Gradients gradients(const KernelScene& k)
     return found;
 }
 
-// The scenes have few iterations, so that their estimates are smooth enough for finite differences.
+// The scenes have few iterations, because their estimates are then smooth enough for finite differences.
 TEST(Gradient, AgreesWithDifferences)
 {
     Scene scene = official_scene("bulb", 40, 40);
@@ -101,7 +101,7 @@ TEST(Gradient, AgreesWithDifferences)
     EXPECT_LE(box.off, box.hits / 100);  // differences across a fold mix two slopes
 }
 
-// A ray that is stored after any number of steps, and continued, gives the same pixel as without interruption.
+// If a ray is stored after any number of steps and later continued, its pixel is the same as without interruption.
 TEST(StagedEntries, DrawWhatTheWholePixelDraws)
 {
     for (const int canonical : {0, 1}) {
@@ -122,8 +122,8 @@ TEST(StagedEntries, DrawWhatTheWholePixelDraws)
     }
 }
 
-// With other step factors, rays find the same root, except for at most one ray in a hundred: a longer step may cross a
-// short interval in which the estimate is below the tolerance.
+// Rays find the same root with another step factor. At most one ray in a hundred may be an exception, because a longer
+// step may cross a short interval in which the estimate is below the tolerance.
 TEST(CanonicalHit, IsTheSameRootWhateverTheStride)
 {
     auto k = scene_for_kernel<box64::Scene>(official_scene("box", 30, 30));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scalar kernel, compiled in double for every fractal and in float for the Mandelbox. The estimators are not
-// inlined, which saves a minute of build time under sanitizers. Includers cannot be compiled together with others.
+// inlined, which saves a minute of build time under sanitizers. A source that includes this header cannot be part of a
+// unity build.
 #pragma once
 
 #include <cstring>
@@ -45,7 +46,7 @@ namespace box32 {
 
 namespace mandelmarch {
 
-// Returns the scene as a kernel in double reads it.
+// Returns the scene in the form that a kernel of this test reads.
 template <class KernelScene>
 KernelScene scene_for_kernel(const Scene& scene, Mode mode = Mode::exact, const Techniques& techniques = {})
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel with a counter of loop iterations, and a function that renders a picture with it. Included inside a
-// namespace for each fractal, so it has no include guard.
+// The kernel with a counter of loop iterations, and a function that renders a picture with this kernel. There is no
+// include guard, because the file is included for each fractal, in a namespace.
 
 #define FN_CALLED inline
 #include "core/kernel/prelude/scalar.h"
@@ -8,7 +8,8 @@
 #include "core/kernel/text.h"
 #include "core/kernel/prelude/undefine.h"
 
-// Returns the largest loop counts of a picture's rays.
+// Renders the scene in exact mode (`plain_scene`) and in fast mode (`fast_scene`). Returns the largest loop counts of
+// the rays.
 inline Loops made_by(const void* plain_scene, const void* fast_scene)
 {
     const Scene& plain = *static_cast<const Scene*>(plain_scene);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // instruments/loops.h computes bounds for the iterations of the kernel's loops. The tests compare these bounds with the
-// loops of real rays, and check the passes into which the schedule divides a picture by them.
+// loops of real rays. They also check the passes into which the schedule divides a picture because of the bounds.
 #include "instruments/loops.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ std::int64_t counted(Body body)
     return rounds() - before;
 }
 
-// Compiles the kernel in double with a prelude that counts the iterations of loops, including the last evaluation of a
-// loop's condition.
+// Compiles the kernel in double with a prelude that counts the iterations of loops. The last evaluation of a loop's
+// condition counts as an iteration.
 #define MM_LOOPS rounds()
 #define MM_REAL double
 #define MM_REAL_IS_FLOAT 0
@@ -85,8 +85,7 @@ TEST(Loops, NoRayMakesMoreThanTheSchedulesBound)
     }
 }
 
-// Negative control: for every fractal, these scenes reach the bounds exactly, so bounds that are smaller by one are too
-// small.
+// Negative control: for every fractal, these scenes reach the bounds exactly. Therefore smaller bounds are wrong.
 TEST(Loops, OneLessIsTooFew)
 {
     for (const Fractal& fractal : fractals()) {
@@ -97,8 +96,8 @@ TEST(Loops, OneLessIsTooFew)
             scene.iterations = 4;
             scene.colouring = colouring;
             if (fractal.short_name == "julia") {
-                // This Julia set is the unit ball, whose surface is visible from outside only. Orbits near it take all
-                // iterations, too.
+                // This Julia set is the unit ball. Its surface is visible only from outside, and orbits of points near
+                // the surface take all iterations, too.
                 scene.eye = {1.2, 0.1, 0};
                 scene.shape = {0, 0, 0};
                 scene.escape = 0;
@@ -111,7 +110,7 @@ TEST(Loops, OneLessIsTooFew)
     }
 }
 
-// Executor that records the schedule's calls. Its rays march for three passes.
+// An executor that records the schedule's calls. Its rays march for three passes.
 class Noting : public Executor {
 public:
     void run(Entry entry, const Band&, int steps) override
@@ -156,8 +155,8 @@ TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
     }
 }
 
-// Each pass of marching reports progress, by which a device that works on a band of many passes is distinguished from a
-// device that hangs.
+// Each pass of marching reports progress. The progress distinguishes a device that works on a band of many passes from
+// a device that hangs.
 TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
 {
     Scene scene = official_scene("bulb", 8, 8);
@@ -169,8 +168,8 @@ TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
     EXPECT_EQ(signs, (std::vector<double>{0, 0, 0, 1}));
 }
 
-// If bands take too long, the next ones shrink, down to single rows. If they take less than the limit, the next ones
-// grow to the largest size that the device holds. Without a time limit, all bands have that size.
+// If a band takes longer than the time limit, the next bands shrink, down to single rows. If it takes less, the next
+// bands grow to the largest size that the device holds. Without a time limit, all bands have the largest size.
 TEST(Loops, BandsAreCutByTime)
 {
     const auto bands_of = [](double seconds) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// openmp renders fast pictures lattice by lattice (the pixels in every fourth column and row, then in every second,
-// then all others), so that rays can start near the hits of neighbouring pixels. Every pixel must be rendered once, and
-// the picture must be nearly the same as if rays did not use their neighbours.
+// openmp renders fast pictures lattice by lattice: the pixels in every fourth column and row, then in every second
+// column and row, then all others. This lets rays start near the hits of neighbouring pixels. Every pixel must be
+// rendered once. The picture must be nearly the same as if rays did not use their neighbours.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,12 +24,13 @@ namespace {
 using openmp::Lattice;
 using openmp::LatticeBuffers;
 
-constexpr float not_drawn = -7;  // marks pixels that are not rendered yet; not a valid depth
+constexpr float not_drawn = -7;  // depth of pixels that are not rendered yet; no rendered pixel has it
 
-// Returns true if the machine has vectors. Without them the scalar kernel renders all pixels at once, without lattices.
+// Returns true if the machine has packs. Without packs, the scalar kernel renders all pixels in one go, without
+// lattices.
 bool has_packs() { return openmp::variants_of<float>("mandelbulb", Mode::fast).back().pack > 1; }
 
-// A float picture whose lattices the test renders one by one, on one thread.
+// A picture in float whose lattices the test renders one after the other, on one thread.
 class DrawnLattices {
 public:
     explicit DrawnLattices(const Scene& scene)
@@ -59,8 +60,8 @@ public:
                       static_cast<std::size_t>(x)];
     }
 
-    // Returns true if the number of steps that were taken equals the sum over the canvas's pixels. If a pixel was
-    // rendered twice, more steps were taken.
+    // Returns true if the number of steps that rays took equals the sum of the steps stored for all pixels. If a pixel
+    // was rendered twice, rays took more steps than are stored.
     bool drawn_once() const
     {
         std::uint64_t steps = 0;
@@ -97,7 +98,7 @@ private:
 
 constexpr Lattice lattices[] = {{0, 4}, {4, 2}, {2, 1}};
 
-// Returns true if exactly the pixels in columns and rows that are multiples of `apart` are rendered.
+// Returns true if the rendered pixels are exactly those whose column and row are multiples of `apart`.
 bool drawn_are_multiples(const DrawnLattices& drawn, const Scene& scene, int apart)
 {
     for (int y = 0; y < scene.height; ++y) {
@@ -127,7 +128,7 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
                 << scene.fractal->name << ", " << scene.width << " x " << scene.height << ", " << lattice.apart;
         }
         EXPECT_TRUE(drawn.drawn_once()) << scene.fractal->name << ", " << scene.width << " x " << scene.height;
-        // Negative controls: one lattice is rendered twice, or not at all.
+        // Negative controls: one lattice is rendered twice, or one is not rendered.
         if (scene.width > 17) {
             drawn.draw(lattices[2]);
             EXPECT_FALSE(drawn.drawn_once());
@@ -141,8 +142,8 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
     }
 }
 
-// Renders a picture by lattices, modifying each neighbour's depth by `change` before the last lattice, and compares it
-// with a picture rendered without lattices.
+// Renders a picture lattice by lattice and compares it with a picture rendered without lattices. Before the last
+// lattice, `change` modifies the depth of each neighbour.
 Comparison off(const Scene& scene, const std::function<void(float& depth)>& change)
 {
     DrawnLattices alone(scene);
@@ -170,12 +171,12 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
         const Comparison drawn = off(scene, [](float&) {});
         EXPECT_LE(percent(drawn.visibly_differing, drawn), 1) << name;
         EXPECT_LE(percent(drawn.hit_or_miss, drawn), 0.01) << name;
-        // With too large depths of neighbours, rays start behind the surface. Such rays must start again.
+        // If the neighbours' depths are too large, rays start behind the surface. Such rays must start again.
         const float tolerance = std::pow(10.0F, static_cast<float>(scene.detail));
         const Comparison late = off(scene, [&](float& depth) { depth *= depth > 0 ? 1 + 4 * tolerance : 1; });
         EXPECT_LE(percent(late.visibly_differing, late), 2) << name;
         EXPECT_LE(percent(late.hit_or_miss, late), 0.02) << name;
-        // Negative controls: the neighbours' depths are behind the fractal, or say that the neighbours have missed.
+        // Negative controls: the neighbours' depths are behind the fractal, or mark all neighbours as clear misses.
         const Comparison behind = off(scene, [](float& depth) { depth *= depth > 0 ? 10 : 1; });
         EXPECT_GT(percent(behind.hit_or_miss, behind), 10) << name;
         const Comparison clear = off(scene, [](float& depth) { depth = -1; });
@@ -183,10 +184,10 @@ TEST(Neighbours, LeaveDepthsThatHoldBetweenThem)
     }
 }
 
-// Renders a picture of a film, which a wall fills up to the top row. The neighbours' values are stored for every second
-// row of the picture. Before the last lattice, the values in stored row `row` are replaced: the depths by those of the
-// stored row below, the occlusion by that of the row below plus `change`. Stored row height / 2 = 32 is just outside
-// the picture.
+// Renders a picture of a film. A wall fills the picture up to the top row. The neighbours' values are stored for every
+// second row of the picture. Before the last lattice, the values in the stored row `row` are replaced by those of the
+// stored row below; `change` is added to the occlusion. The stored row 32, half the height, is just outside the
+// picture.
 Image with_surroundings(std::size_t row, float change)
 {
     Scene scene = official_scene("bulb", 96, 64);
@@ -212,12 +213,12 @@ TEST(Neighbours, ShareNothingFromBeyondThePicture)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
     EXPECT_EQ(compare(with_surroundings(32, 0), with_surroundings(32, 1)).differing, 0U);
-    // Negative control: stored row 31 is inside the picture.
+    // Negative control: the stored row 31 is inside the picture, and a change of its values changes the picture.
     EXPECT_GT(compare(with_surroundings(31, 0), with_surroundings(31, 1)).differing, 50U);
 }
 
-// The test uses those random scenes in which pixels are close enough together, in tolerances, for rays to use their
-// neighbours.
+// The random scenes are rendered at four times their size. Pixels are then close enough together, in tolerances, for
+// rays to use their neighbours.
 TEST(Neighbours, ChangeLittleAndSaveEstimates)
 {
     if (!has_packs()) GTEST_SKIP() << "no vectors";
@@ -245,7 +246,7 @@ TEST(Neighbours, ChangeLittleAndSaveEstimates)
         EXPECT_LE(percent(all.visibly_differing, all), 1) << fractal;
         EXPECT_LE(percent(all.hit_or_miss, all), 0.01) << fractal;
         EXPECT_LT(with.de_calls, without.de_calls * 9 / 10) << fractal;
-        EXPECT_GT(all.visibly_differing, 0U) << fractal;  // the technique was used
+        EXPECT_GT(all.visibly_differing, 0U) << fractal;  // shows that rays did use their neighbours
     }
 }
 

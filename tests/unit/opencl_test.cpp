@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenCL's vectors give the bits of the scalar kernel and count the same work: in blocks of pixels, in lanes with
-// refill, and at the edges of strips. Skipped without an OpenCL device.
+// OpenCL's vectors give the bits of the scalar kernel and count the same work, in blocks of pixels, in lanes with
+// refill, and at the edges of strips. The tests are skipped if there is no OpenCL device.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -40,7 +40,7 @@ TEST_P(Opencl, VectorsDrawTheBitsOfTheScalarText)
     }
 }
 
-// Negative control: another detail level moves the hits.
+// Negative control: with another detail level, hits are elsewhere.
 TEST_P(Opencl, AnotherSceneHasOtherBits)
 {
     Scene other = official_scene("box", 301, 37);

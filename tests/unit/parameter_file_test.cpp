@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameter files: some values are accepted; all others give an error of one line, with the place and the fault.
+// Tests the values that parameter files may have. Any other value gives an error of one line, with the place and the
+// fault.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -36,7 +37,7 @@ Scene parse(const std::string& text, const char* fractal = "bulb")
     return parse_parameters(text, "x.dat", fractal_named(fractal)).scene;
 }
 
-// Returns the message of the InputError for `text`; empty without an error.
+// Returns the message of the InputError for `text`; empty if it is accepted.
 std::string refusal(const std::string& text, const char* fractal)
 {
     try {
@@ -150,7 +151,7 @@ TEST(ParameterFile, OldVariantWithSuperSamplingIsWarnedOf)
     EXPECT_TRUE(file.warnings[0].starts_with("x.dat:11: warning: ")) << file.warnings[0];
 }
 
-// The official file of a fractal gives no warning, with or without its comments. The file of another fractal does.
+// The official file of a fractal gives no warning, with or without its comments. The file of another fractal gives one.
 TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
 {
     const std::string_view box = fractal_named("box").official;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures are compared with those of the original program and of the reference, and float pictures with double ones.
-// Fast pictures of official scenes are tested in tests/equivalence.
+// Pictures are compared with those of the original program and of the reference, and pictures in float with pictures in
+// double. tests/equivalence tests fast pictures of the official scenes.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -25,7 +25,7 @@ protected:
     {
         return read_image(std::string(MANDELMARCH_SOURCE_DIR) + "/tests/reference/" + GetParam() + "_270.png");
     }
-    // Returns the number of visibly different pixels in a hundred thousand.
+    // Returns the number of visibly different pixels per hundred thousand pixels.
     static std::uint64_t share(const Comparison& c) { return c.visibly_differing * 100'000 / c.pixels; }
 };
 
@@ -81,7 +81,7 @@ TEST(OddScenes, OpenmpDrawsWhatTheReferenceDraws)
     }
 }
 
-// Differences between pictures of random scenes and the reference's canonical pictures.
+// Sums of the differences between pictures of random scenes and the reference's canonical pictures.
 struct Offness {
     Comparison all;  // sum over the scenes
     int scenes = 0;
@@ -98,8 +98,9 @@ void add(Offness& to, const Image& canonical, const Image& image)
     if (50 * c.visibly_differing > c.pixels) ++to.far_off;
 }
 
-// The constants of relaxed(), fast.step_factor, tails and trials were tuned on scenes of other seeds. The limits are
-// fractions of some hundredths of a percent, so they are applied to the pixels of all scenes together.
+// The constants of relaxed(), fast.step_factor, tails and trials were tuned on scenes of other seeds. The limit for
+// pixels that hit in only one of two pictures is some hundredths of a percent. Therefore the limits apply to the pixels
+// of all scenes together.
 TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
 {
     const Registry registry = all_backends();
@@ -126,11 +127,11 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
             const Offness& sum = sums[is_float];
             EXPECT_LE(per_million(sum.all.visibly_differing, sum.all), 20'000U) << fractal << ", float " << is_float;
             EXPECT_LE(per_million(sum.all.hit_or_miss, sum.all), 200U) << fractal << ", float " << is_float;
-            // Negative control: exact mode, which does not refine hits, gives another picture.
+            // Negative control: exact mode does not refine hits. Its pictures must exceed the limit.
             const Offness& twin = twins[is_float];
             EXPECT_GT(per_million(twin.all.visibly_differing, twin.all), 20'000U) << fractal << ", float " << is_float;
         }
-        // Double is precise enough for all scenes: there at most one scene in forty may exceed the limit.
+        // Double is precise enough for all scenes. Therefore, in double, at most one scene in forty may be far off.
         const int most = sums[0].scenes / 40;
         EXPECT_LE(sums[0].far_off, most) << fractal;
         EXPECT_GT(twins[0].far_off, most) << fractal;
@@ -146,9 +147,9 @@ NamedScene random_scene(unsigned seed, const std::string& name)
     return {};
 }
 
-// The eye is 5e-7 in front of the surface, from where finer relief is visible than the original program's finite
-// differences resolve. If the reference took its normals from differences of that width, half of the pixels would be
-// wrong.
+// The eye is 5e-7 in front of the surface. From there, relief is visible that the original program's finite differences
+// are too wide to resolve. If the reference computed its normals from differences of that width, half of the pixels
+// would be wrong.
 TEST(CanonicalReference, SeesReliefFinerThanTheOriginalsDifferences)
 {
     const Registry registry = all_backends();
@@ -180,8 +181,8 @@ TEST(EyeInTheSolid, CanonicalPicturesFaceIt)
     }
 }
 
-// If the escape radius were not limited, a radius of 1000 would overflow the gradients in float, in 1.5 % of the
-// pixels.
+// The kernel limits the escape radius. If it did not, gradients in float would overflow with a radius of 1000, in 1.5 %
+// of the pixels.
 TEST(Bailout, AnyRadiusFitsAFloat)
 {
     const Registry registry = all_backends();

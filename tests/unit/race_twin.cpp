@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Negative control of the thread sanitizer: a program with a loop whose threads all write one variable. The sanitizer
-// must report this.
+// Negative control of the thread sanitizer. In this program, all threads of a loop write the same variable. The
+// sanitizer must report this.
 #include <cstdio>
 
 int main()

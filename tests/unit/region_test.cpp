@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture of a region has the same bits as that part of the whole picture.
+// The picture of a region has the same bits as the same part of the whole picture.
 #include "core/render/region.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST_P(Regions, HaveTheBitsOfTheWholePicture)
     const bool host = GetParam() == "openmp";
     for (const Fractal& fractal : fractals()) {
         const Scene scene = official_scene(fractal, 75, 61);
-        // Drivers take seconds to compile a fractal's kernel, so they are tested with the first fractal only.
+        // Drivers take seconds to compile a fractal's kernel. Therefore they are tested with only the first fractal.
         if (!backend->draws(scene) || (!host && &fractal != &fractals().front())) continue;
         for (const Mode mode : {Mode::exact, Mode::fast}) {
             if (!host && mode == Mode::fast) continue;
@@ -59,7 +59,7 @@ TEST_P(Regions, HaveTheBitsOfTheWholePicture)
     }
 }
 
-// Returns those of the backends that this build has.
+// Returns the names of the backends that this build has.
 std::vector<std::string> built(std::vector<std::string> names)
 {
     const Registry registry = all_backends();
@@ -70,7 +70,7 @@ std::vector<std::string> built(std::vector<std::string> names)
 INSTANTIATE_TEST_SUITE_P(Of, Regions, testing::ValuesIn(built({"openmp", "reference", "opencl", "vulkan"})),
                          [](const auto& test) { return test.param; });
 
-// Negative control: the picture of a region one pixel further right is different.
+// Negative control: the picture of a region that is one pixel further right is different.
 TEST(Region, OneAsideIsAnother)
 {
     const Registry registry = program_backends(0, nullptr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs select backends by BackendInfo, which includes their role, instead of by name. Wrappers of backends must
-// pass it on.
+// Programs select backends by their BackendInfo, which includes their role, not by name. A wrapper of a backend must
+// return the BackendInfo of that backend.
 #include "core/render/registry.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact mode gives the same bits for any number of threads and any pack width, and the entry points for single stages
-// of stored rays give the same picture as the entry point for whole pixels. Each has a negative control.
+// Exact mode gives the same bits for any number of threads, any pack width and any instruction set. Negative controls
+// are the tests OneBitOfColourOrDepthIsSeen and FastModeDiffers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -53,8 +53,8 @@ TEST_P(SameBits, OneThreadAndMany)
     }
 }
 
-// With several threads, the rays that share a pack differ from picture to picture. If a compiler fused operations in
-// one SIMD vector of a pack but not in another, about one ray in a million would change.
+// With several threads, a ray shares its pack with other rays in each picture. If a compiler fused operations in one
+// SIMD vector of a pack but not in another, about one ray in a million would change.
 TEST_P(SameBits, AMillionRaysInFastMode)
 {
     const Scene scene = official_scene("box", 1080, 1080);
@@ -64,7 +64,7 @@ TEST_P(SameBits, AMillionRaysInFastMode)
     }
 }
 
-// A picture of bytes only is stored by other code than a picture with all layers. Both must have the same bytes.
+// A picture that has only bytes is stored by other code than a picture with all layers. Both must have the same bytes.
 TEST_P(SameBits, BytesAlone)
 {
     for (const int simd_width : {0, 1}) {
@@ -77,7 +77,7 @@ TEST_P(SameBits, BytesAlone)
             EXPECT_EQ(bytes.bytes(), all.bytes()) << name << ", SIMD width " << simd_width;
             EXPECT_GE(work.de_calls, bytes.pixels() / 100);
             expect_same_work(whole, work, name);
-            // Without counts, the reported work may be 0, but the picture must be the same.
+            // If counting is off, the reported work may be 0, but the picture must be the same.
             RendererOptions uncounted = options;
             uncounted.counts = false;
             Image again(scene.width, scene.height, Image::Layers::bytes);
@@ -90,7 +90,7 @@ TEST_P(SameBits, BytesAlone)
             }
         }
     }
-    // Negative control: the comparison detects a single byte.
+    // Negative control: the comparison detects a slightly brighter picture.
     Scene other = official_scene("bulb", 64, 64);
     Image image(64, 64, Image::Layers::bytes);
     openmp.create({.precision = GetParam()})->render(other, image);
@@ -141,7 +141,8 @@ TEST_P(SameBits, EveryInstructionSet)
     EXPECT_TRUE(ran.contains(draw_report().instruction_set));
 }
 
-// AVX-512 is selected by its usual name, not by Highway's. An empty name selects nothing.
+// AVX-512 can be selected by its usual name and by Highway's, AVX3, and is reported by its usual name. An empty name
+// selects nothing.
 TEST(Instructions, HaveTheirUsualNames)
 {
     const Registry registry = all_backends();
@@ -178,7 +179,7 @@ TEST_P(SameBits, OneBitOfColourOrDepthIsSeen)
     EXPECT_FALSE(compare(image, sign).same());
 }
 
-// Negative control: fast mode, with contraction and canonical hits, gives other bits.
+// Negative control: fast mode, in which operations are fused and hits are canonical, gives other bits.
 TEST_P(SameBits, FastModeDiffers)
 {
     const Scene scene = official_scene("box", 64, 64);

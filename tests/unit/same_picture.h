@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expectations that pictures, and work counts, are the same.
+// Expectations that pictures are the same, or that work counts are the same.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tails of the Mandelbox: the last iterations of an orbit, computed with one escape test and no sphere folds. Nearly
-// all estimates must be the same as without tails.
+// Tails are the last iterations of an orbit of the Mandelbox, computed with only one escape test and no sphere folds.
+// Nearly all estimates must be the same as without tails.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,11 +19,11 @@ box64::Scene scene_of(const Scene& scene, bool tails)
 
 struct Difference {
     int samples = 0;
-    int iterations = 0;  // samples whose orbits differ in length
-    int distances = 0;   // samples whose estimates differ by more than a fraction of 10^-9
+    int iterations = 0;  // samples for which the numbers of iterations differ
+    int distances = 0;   // samples for which the estimates differ by a fraction of more than 10^-9
 };
 
-// Compares the estimates with and without tails at all samples of the rays of every eighth pixel in both directions.
+// Compares the estimates with and without tails, at all samples of the rays in every eighth column and row.
 Difference difference(const Scene& scene, const box64::Scene& with)
 {
     const box64::Scene without = scene_of(scene, false);
@@ -70,7 +70,7 @@ TEST(Tails, HitTheOfficialSceneInNearlyEverySample)
     EXPECT_LE(found.distances, found.samples / 200);
 }
 
-// Negative control: with wrong radii, tails begin too near to the spheres or too far out.
+// Negative control: if the radius at which tails begin is wrong, they begin too near to the spheres or too far out.
 TEST(Tails, WrongRadiiShow)
 {
     const Scene scene = official_scene("box", 270, 270);
@@ -89,7 +89,7 @@ TEST(Tails, AreForFastModeOnly)
     EXPECT_EQ(kernel_scene<layout_f32::Scene>(scene, Mode::exact).fractal_whole, 0);
     EXPECT_GT(kernel_scene<layout_f32::Scene>(scene, Mode::fast).fractal_whole, 0);
     Scene near = scene;
-    near.escape = 10;  // too small for three iterations outside
+    near.escape = 10;  // too small for a tail of three iterations
     EXPECT_EQ(kernel_scene<layout_f64::Scene>(near, Mode::fast).fractal_whole, 0);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text: control characters in printed text, messages and results on the console, and numbers from environment
-// variables.
+// Tests control characters in printed text, messages and results on the console, and numbers in environment variables.
 #include "core/base/text.h"
 
 #include <fcntl.h>
@@ -58,7 +57,7 @@ TEST(JsonDepth, DoesNotCountSiblingsOrTexts)
 }
 
 // Forks a process that calls prepare(), which changes the process's descriptors, and then runs `body` as a program.
-// Returns its exit code.
+// Returns the process's exit code.
 int code_of(int (*body)(int, char**), const std::function<void()>& prepare)
 {
     const pid_t child = fork();

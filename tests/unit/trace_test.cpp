@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traces: a traced pixel equals the picture's pixel, and the trace's steps lead to it.
+// A traced pixel equals the picture's pixel, and the steps of the trace lead to this pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ TEST_P(Traces, OfAnotherPixelDiffer)
     EXPECT_FALSE(same_pixel(image, 15 * 40 + 20, trace_pixel(scene, options(Mode::exact), 21, 15)));
 }
 
-// Each sample of a trace lies at the position to which the previous sample leads, and the last one decides whether the
+// Each sample of a trace lies at the position to which the previous sample leads. The last sample decides whether the
 // ray hits.
 TEST_P(Traces, HaveStepsThatLeadToTheResult)
 {
@@ -85,7 +85,8 @@ TEST_P(Traces, HaveStepsThatLeadToTheResult)
     }
 }
 
-// The search for a canonical hit brackets the root ever more closely, so the last position in the trace is near it.
+// The search for a canonical hit brackets the root ever more closely. Therefore the last position in the trace is near
+// the root.
 TEST_P(Traces, OfFastPicturesShowTheRootsTried)
 {
     const Trace trace = trace_pixel(official_scene("bulb", 40, 30), options(Mode::fast), 20, 15);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trials of fast mode: if its usual steps miss a scene's surface, the scene is rendered with shorter steps.
+// Tests trials. If fast mode's usual steps miss parts of a scene's surface, a trial shows this, and the scene is
+// rendered with shorter steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace mandelmarch {
 namespace {
 
 // Synthetic pictures for a trial. In the picture of call i, off[i] thousandths of the pixels have a colour that no
-// other picture has. So two pictures differ in the larger of their two fractions.
+// other picture has; the other pixels are black. Two pictures differ in the larger of their two fractions.
 struct Pictures {
     std::vector<int> off;
     std::vector<double> strides{};  // step factors of the calls
@@ -59,7 +60,7 @@ TEST(Trial, ShortensStepsUntilPicturesAgree)
     EXPECT_EQ(low_agree.tried(low).step_factor, 0.4);
     EXPECT_EQ(low_agree.strides, (std::vector{0.4, 0.2}));
     Scene shortest = bulb;
-    shortest.limits.step_factor = 0.1;  // the shortest: no shorter steps are tried, so no difference is found
+    shortest.limits.step_factor = 0.1;  // no shorter steps are tried; therefore no difference is found
     Pictures once{{60}};
     const Trial untried = once.tried(shortest);
     EXPECT_EQ(untried.step_factor, 0.1);
@@ -71,7 +72,7 @@ Scene random_bulb(unsigned seed, int number)
     return random_scenes(60, seed).at(static_cast<std::size_t>(number)).scene;
 }
 
-// These are scenes in which fast mode's usual steps give more than 2 % wrong pixels.
+// In the scenes of this test, more than 2 % of the pixels are off with fast mode's usual steps.
 TEST(Trial, BringsPicturesNearTheCanonicalOnes)
 {
     const Registry registry = all_backends();
@@ -103,7 +104,7 @@ TEST(Trial, ChangesNothingWhereStepsWereFine)
             }
         }
     }
-    // There is no trial for exact pictures and for pictures with unrefined hits.
+    // Exact pictures and pictures whose hits are not refined have no trial.
     const Scene scene = random_bulb(1001, 12);
     const RendererOptions exact;
     const RendererOptions unrefined{.mode = Mode::fast, .techniques = {.refinement = false}};

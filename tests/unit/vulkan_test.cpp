@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Vulkan backend gives the bits of the scalar kernel, also for odd scenes, and counts the same work. In each test
-// one renderer renders all scenes, one after another. Skipped without a Vulkan device.
+// The Vulkan backend gives the bits of the scalar kernel, even for odd scenes, and counts the same work. In each test
+// one renderer renders all scenes, one after the other. The tests are skipped if there is no Vulkan device.
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
@@ -11,7 +11,7 @@
 namespace mandelmarch {
 namespace {
 
-// Returns a scene whose eye is inside the solid, so that every DE evaluation takes all iterations: even a pass of one
+// Returns a scene whose eye is inside the solid. Every DE evaluation takes all iterations. Therefore even a pass of one
 // step has more loop iterations than lavapipe allows.
 Scene long_estimates()
 {
@@ -51,7 +51,7 @@ TEST_P(Vulkan, DrawsTheBitsOfTheScalarText)
     for (const auto& [name, scene] : scenes) expect_same_picture(*baseline, *renderer, scene, name);
 }
 
-// Negative control. The pictures of fast mode are tested in tests/equivalence.
+// Negative control: fast mode gives other bits. tests/equivalence tests the pictures of fast mode.
 TEST_P(Vulkan, FastModeHasOtherBits)
 {
     const Scene scene = official_scene("box", 150, 150);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Vulkan layer that makes a good driver fail. MANDELMARCH_FAULT: the fault; MANDELMARCH_FAULT_AFTER: the number of
-// calls that succeed before it.
+// A Vulkan layer that makes a good driver fail. MANDELMARCH_FAULT_AFTER: the number of calls that succeed before the
+// fault. MANDELMARCH_FAULT: the fault, one of
 //   memory           vkAllocateMemory returns VK_ERROR_OUT_OF_DEVICE_MEMORY
 //   lost             vkQueueSubmit returns VK_ERROR_DEVICE_LOST
 //   silent           vkWaitForFences never sees a signalled fence
@@ -10,7 +10,7 @@
 //   float_division   float division is far off: shaders compute a * b instead of a / b
 //   double_division  the same for double division, which is also used to correct float division
 //   unknown_driver   drivers do not report their name
-//   discrete_gpu     every device reports to be a discrete GPU with its own memory
+//   discrete_gpu     every device reports that it is a discrete GPU with its own memory
 //   misuse           a fence is created with invalid flags, which the validation layers must report
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -34,8 +34,8 @@ using mandelmarch::Rewritten;
 using mandelmarch::without_division;
 using mandelmarch::drivers::driver_faults;
 
-// Functions of the next layer, from the instance and device created last. It suffices to store one set, as all
-// instances and devices of a program have the same driver.
+// Functions of the next layer, for the instance and device created last. One set is enough, because all instances and
+// devices of a program have the same driver.
 struct Next {
     PFN_vkGetInstanceProcAddr instance_proc = nullptr;
     PFN_vkGetDeviceProcAddr device_proc = nullptr;
@@ -50,7 +50,7 @@ struct Next {
     PFN_vkCreateShaderModule create_shader_module = nullptr;
     PFN_vkMapMemory map_memory = nullptr;
     PFN_vkDestroyDevice destroy_device = nullptr;
-    int calls = 0;  // of the faulty function
+    int calls = 0;  // of the function that the fault affects
 };
 Next next;
 
@@ -87,7 +87,7 @@ VkResult create_instance(const VkInstanceCreateInfo* create, const VkAllocationC
     const auto create_next = reinterpret_cast<PFN_vkCreateInstance>(next.instance_proc(nullptr, "vkCreateInstance"));
     const VkResult result = create_next(create, memory, instance);
     if (result != VK_SUCCESS) return result;
-    // Query the functions now: a later query would return those of the first layer.
+    // Queries the functions now, because a later query would return those of the first layer.
     const auto ask = [&](auto& function, const char* name) {
         function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(next.instance_proc(*instance, name));
     };
@@ -129,7 +129,7 @@ void get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* prope
 {
     next.get_properties(physical, properties);
     if (wanted("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
-    // Return a name that fills its array without a terminating 0.
+    // Returns garbage: a name that fills its array without a terminating 0.
     if (!driver_faults("enumeration")) return;
     for (std::size_t i = 0; i < sizeof properties->deviceName; ++i) {
         properties->deviceName[i] =
@@ -156,7 +156,7 @@ VkResult allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info, cons
 
 VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence)
 {
-    // With the action garbage, the submission does nothing and reports success.
+    // If the action is garbage, the submission does nothing and reports success.
     if (driver_faults("launch")) count = 0;
     if (strikes("lost")) return VK_ERROR_DEVICE_LOST;
     return next.queue_submit(queue, count, infos, fence);

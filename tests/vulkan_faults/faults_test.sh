@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Cases run by tests/cases.sh with BIN SOURCE LAYER MODULES: Vulkan devices that run out of memory, die, hang or lack
-# features, broken pipeline caches, and required properties of the shaders. The cases need a Vulkan device (lavapipe
-# suffices).
+# Cases run by tests/cases.sh with BIN SOURCE LAYER MODULES. They test Vulkan devices that run out of memory, die, hang
+# or lack features, broken pipeline caches, and required properties of the shaders. LAYER: the folder of the fault
+# layer; MODULES: the folder of the SPIR-V modules. The cases need a Vulkan device; lavapipe suffices.
 bin=$1
 source=$2
 layer=$3
@@ -9,20 +9,21 @@ modules=$4
 export XDG_CACHE_HOME=$top/cache MANDELMARCH_DEVICE_TIMEOUT=60
 [ $case = modules ] || has_device vulkan || exit 77
 
-# draw FRACTAL OUTPUT OPTION...: renders a small picture with Vulkan, of the official scene or, if they are set, of the
-# file $scene at $size. The program is killed after 60 seconds.
+# draw FRACTAL OUTPUT OPTION...: renders a small picture of the official scene with Vulkan. If they are set, $scene is
+# the parameter file and $size the size. The program is killed after 60 seconds.
 draw() {
     timeout 60 "$bin/render" --fractal "$1" "${scene:-$source/params${1^}.dat}" --size "${size:-40x30}" --backend vulkan \
         --output "$2" "${@:3}"
 }
 
-# right FRACTAL OUTPUT OPTION...: renders the expected picture, with the scalar kernel (openmp).
+# right FRACTAL OUTPUT OPTION...: renders the expected picture of the same scene, with openmp's scalar kernel.
 right() {
     "$bin/render" --fractal "$1" "${scene:-$source/params${1^}.dat}" --size "${size:-40x30}" --backend openmp \
         --simd-width 1 --output "$2" "${@:3}" 2>stderr || fail "openmp: $(cat stderr)"
 }
 
-# with FAULT[:AFTER] COMMAND...: runs the command with the layer that simulates the fault.
+# with FAULT[:AFTER] COMMAND...: runs the command with the fault layer. AFTER calls succeed before the fault (default
+# 0).
 with() {
     local after=0
     [[ $1 = *:* ]] && after=${1#*:}
@@ -30,8 +31,8 @@ with() {
         VK_LAYER_PATH=$layer "${@:2}"
 }
 
-# refused CODE TEXT FAULT DRAW-ARGUMENTS...: expects the exit code, one line on stderr that contains the text, and no
-# picture.
+# refused CODE TEXT FAULT DRAW-ARGUMENTS...: renders with the fault and expects the exit code, one line on stderr that
+# contains the text, and no picture.
 refused() {
     rm -f "$5"
     expect "$1" with "$3" draw "${@:4}"
@@ -39,7 +40,8 @@ refused() {
     [ ! -e "$5" ] || fail "$3: a picture"
 }
 
-# The next three cases: a call fails, either the first one, which probes the device, or a later one, for the picture.
+# In each of the next three cases a Vulkan call fails: either the first such call, by which the program probes the
+# device, or a later call, for the picture.
 test_memory() {
     local after
     for after in 0 2 4 5 6; do refused 1 'out of device memory while taking' memory:$after bulb a.exr; done
@@ -61,7 +63,7 @@ test_silent() {
     done
 }
 
-# A device that lacks a feature gives an error, or the same bits as an intact device.
+# On a device that lacks a feature, the program reports an error or renders the same bits as on an intact device.
 test_features() {
     refused 77 'has no double' no_double bulb a.exr
     refused 77 'no double' no_double bulb a.exr --mode fast
@@ -75,8 +77,8 @@ test_features() {
             same_picture a.exr true.exr
         done
     done
-    # The kernel corrects the device's float divisions if they are a unit off in the last place, and divides in double
-    # if they are far off.
+    # If the device's float divisions are a unit off in the last place, the kernel corrects them. If they are far off,
+    # the kernel divides in double.
     for fault in none: float_units:,.float.quotients.corrected float_division:,.float.quotients.in.double; do
         expect 0 with "${fault%%:*}" draw box a.exr --precision float --stats a.json
         grep -q "\"instruction_set\": \"SPIR-V${fault#*:}\"" a.json || fail "$fault: $(grep instruction_set a.json)"
@@ -87,7 +89,7 @@ test_features() {
         same_picture a.exr true.exr
     done
     with discrete_gpu "$bin/render" --list-devices | grep -q '^vulkan *0: ' || fail "a GPU is not listed"
-    # Negative control: fast mode does not probe the device, so the wrong divisions must change its pictures.
+    # Negative control: in fast mode the program does not probe the device. Wrong divisions must change its pictures.
     expect 0 draw bulb right.exr --mode fast
     expect 0 with double_division draw bulb wrong.exr --mode fast
     other_picture right.exr wrong.exr
@@ -96,7 +98,7 @@ test_features() {
     other_picture right.exr wrong.exr
 }
 
-# Without a driver or a loader the backend is unavailable.
+# If the driver or the loader is missing, the backend is unavailable.
 test_nothing_there() {
     VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null expect 77 draw bulb none.exr
     VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null "$bin/render" --list-devices |
@@ -110,7 +112,7 @@ test_nothing_there() {
     ldd "$bin/render" | grep -q libvulkan && fail "render is linked with the Vulkan loader"
 }
 
-# With a broken pipeline cache, the picture is the same, there is no message, and the file is written again.
+# If the pipeline cache is broken, the picture is the same, no message is printed, and the cache file is written again.
 test_pipeline_cache() {
     export XDG_CACHE_HOME=$PWD/cache
     expect 0 draw bulb first.exr
@@ -136,7 +138,8 @@ broken_cache() {
     rm -rf broken
     cp -r cache broken
     same_without_a_word
-    # The new file is not compared byte for byte with the original, because some drivers write different bytes each time.
+    # Some drivers write different bytes each time. Therefore only the size of the new file is compared with the
+    # original.
     for file in whole/mandelmarch/*.bin; do
         file=mandelmarch/${file##*/}
         [ "$(stat -c %s "cache/$file")" -ge $(($(stat -c %s "whole/$file") * 9 / 10)) ] && ! cmp -s "cache/$file" "broken/$file" ||
@@ -147,8 +150,9 @@ flip() { printf '\377' | dd of="$1" bs=1 seek=20 conv=notrunc status=none; }
 empty() { : >"$1"; }
 junk() { head -c 5000 /dev/urandom >"$1"; }
 
-# The rays take thousands of steps with few iterations each. In one pass, lavapipe would end their loops early without
-# an error, so they must be marched in several passes. unit/vulkan_test.cpp has a scene with such long DE evaluations.
+# The rays take thousands of steps with few iterations each. If they were marched in one pass, lavapipe would end their
+# loops early without an error. Therefore they must be marched in several passes. unit/vulkan_test.cpp has a scene in
+# which single DE evaluations have long loops.
 test_long_loops() {
     local iterations mode
     for iterations in 8 18; do
@@ -157,8 +161,8 @@ test_long_loops() {
         scene=deep.dat expect 0 draw box a.exr --precision float
         same_picture a.exr true.exr
     done
-    # If an unknown driver ends loops early without an error, this is detected. If it does not, like newer versions of
-    # lavapipe, the picture is correct.
+    # With an unknown driver, rays are marched in one pass. If the driver ends loops early without an error, the program
+    # reports this. If it does not, like newer versions of lavapipe, the picture is correct.
     if scene=deep.dat with unknown_driver draw box a.exr --precision float 2>stderr; then
         same_picture a.exr true.exr
         return
@@ -166,7 +170,8 @@ test_long_loops() {
     for mode in exact fast; do
         scene=deep.dat refused 1 'cut a ray off in a loop' unknown_driver box a.exr --precision float --mode $mode
     done
-    # `bench equivalence` detects such a driver, too, and writes parameter files that reproduce the error.
+    # `bench equivalence` also detects a driver that ends loops early, and writes parameter files that reproduce the
+    # error.
     with unknown_driver "$bin/bench" equivalence --backend vulkan --fractal box --scenes 8 --seed 5 --folder cut \
         >stdout 2>stderr
     [ $? = 1 ] || fail "bench equivalence: another exit code than 1"
@@ -180,7 +185,8 @@ test_long_loops() {
     same_picture a.exr true.exr
 }
 
-# Every floating-point operation of the exact modules has NoContraction. Negative control: in the fast modules none has.
+# Every floating-point operation of the exact modules has the decoration NoContraction. Negative control: the check
+# rejects the fast modules, whose operations lack it.
 test_modules() {
     local module
     for module in "$modules"/*_exact.spv "$modules"/*_pinned.spv "$modules"/*_corrected.spv; do

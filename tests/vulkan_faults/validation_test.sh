@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Case run by tests/cases.sh with BIN SOURCE LAYER VALIDATION: Khronos' validation layer has nothing to report.
+# Case run by tests/cases.sh with BIN SOURCE LAYER VALIDATION: Khronos' validation layer, in the folder VALIDATION,
+# reports nothing.
 bin=$1
 source=$2
 layer=$3
@@ -23,7 +24,7 @@ test_validation() {
         clean $khronos $options
     done
     MANDELMARCH_FAULT=discrete_gpu clean $khronos:$faults bulb
-    # Negative control: the layer reports a misuse.
+    # Negative control: the validation layer reports a misuse of Vulkan.
     MANDELMARCH_FAULT=misuse draw $faults:$khronos bulb >stdout 2>stderr
     says 'VUID-VkFenceCreateInfo'
 }

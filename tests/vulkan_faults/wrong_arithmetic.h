@@ -10,8 +10,8 @@
 
 namespace mandelmarch {
 
-// Replaces divisions of numbers with this many bits by multiplications. Opcodes are from the SPIR-V specification,
-// section 3.49.
+// Returns the module with each division of floating-point numbers of `bits` bits replaced by a multiplication. Opcodes
+// are from the SPIR-V specification, section 3.49.
 inline std::vector<std::uint32_t> without_division(std::vector<std::uint32_t> words, std::uint32_t bits)
 {
     constexpr std::uint32_t type_float = 22;
@@ -26,8 +26,8 @@ inline std::vector<std::uint32_t> without_division(std::vector<std::uint32_t> wo
     return words;
 }
 
-// A copy of a module in which some instructions are replaced by others. Opcodes are from the SPIR-V specification,
-// section 3.49.
+// Makes copies of a SPIR-V module in which some instructions are replaced by others. Opcodes are from the SPIR-V
+// specification, section 3.49.
 class Rewritten {
 public:
     explicit Rewritten(const std::vector<std::uint32_t>& words) : from_(words) {}
@@ -78,8 +78,8 @@ public:
 private:
     static constexpr std::uint32_t ext_inst = 12, capability = 17, type_float = 22, constant = 43, convert = 115;
     static constexpr std::uint32_t sum = 129, multiply = 133, divide = 136;
-    static constexpr std::uint32_t sqrt = 31;     // in GLSL.std.450
-    static constexpr std::uint32_t float64 = 10;  // a capability
+    static constexpr std::uint32_t sqrt = 31;     // of the instruction set GLSL.std.450
+    static constexpr std::uint32_t float64 = 10;  // the capability for double
 
     template <class Change>
     std::vector<std::uint32_t> rewritten(Change change)
@@ -101,8 +101,8 @@ private:
         return to_;
     }
 
-    // Returns true if the module declares a 64-bit type. Such modules are not changed, as they must not declare the
-    // type twice.
+    // Returns true if the module declares a 64-bit type. Such modules are not changed, because the changes would
+    // declare that type a second time.
     bool has_double() const
     {
         for (std::size_t at = 5; at < from_.size(); at += from_[at] >> 16) {
@@ -112,7 +112,7 @@ private:
     }
 
     void add(const std::vector<std::uint32_t>& words) { to_.insert(to_.end(), words.begin(), words.end()); }
-    std::uint32_t fresh() { return to_[3]++; }  // the bound of the module's ids
+    std::uint32_t fresh() { return to_[3]++; }  // returns an unused id; word 3 is the bound of the module's ids
     std::uint32_t widened(std::uint32_t number)
     {
         const std::uint32_t wide = fresh();

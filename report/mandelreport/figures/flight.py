@@ -17,14 +17,14 @@ PLANES = [("x", "y", "z"), ("x", "z", "y")]
 
 
 def _speeds(flight: FlightMap) -> list[float]:
-    """Returns hull sizes per second, for each frame but the first."""
+    """Returns the camera's speed in hull sizes per second, for each frame but the first."""
     x, y, z = (flight.series(key) for key in "xyz")
     per_frame = flight.data["frames_per_second"] / flight.hull
     return [math.dist((x[i], y[i], z[i]), (x[i - 1], y[i - 1], z[i - 1])) * per_frame for i in range(1, len(x))]
 
 
 def ground(flight: FlightMap) -> Figure:
-    """Shows the free balls, the gates, and the path with its passages, along two axes."""
+    """Shows maps of the free balls, the gates, and the path with its passages, as seen along two axes."""
     figure, axes = style.panels(1, 2, 8, 4.6)
     figure.set_layout_engine("compressed")
     balls, gates = flight.data["balls"], flight.data["gates"]
@@ -32,7 +32,7 @@ def ground(flight: FlightMap) -> Figure:
     hull = flight.hull
     for axis, (right, up, along) in zip(axes[0], PLANES):
         a, b = axis_of[right], axis_of[up]
-        # Balls overlap, so they are pale, and the far ones are drawn first.
+        # Balls overlap. Therefore they are pale, and the far balls are drawn first.
         near = sorted(balls, key=lambda ball: ball[axis_of[along]])
         axis.add_collection(
             PatchCollection(
@@ -76,7 +76,7 @@ def ground(flight: FlightMap) -> Figure:
         )
         axis.plot(xs[0], ys[0], linestyle="", marker="o", markersize=6, color=style.BLUE, label="start")
         axis.plot(xs[-1], ys[-1], linestyle="", marker="s", markersize=6, color="black", label="end")
-        # Show the part of the hull around the path as a square in both maps, without the approach.
+        # Each map shows a square around the part of the path that is inside the hull. The approach is outside.
         inside = [i for i in range(len(xs)) if max(abs(flight.series(key)[i]) for key in "xyz") <= hull] or range(len(xs))
         ranges = [(min(s), max(s)) for s in ([flight.series(key)[i] for i in inside] for key in "xyz")]
         half = 0.6 * max(high - low for low, high in ranges)
@@ -104,7 +104,7 @@ def ground(flight: FlightMap) -> Figure:
 
 
 def over_time(flight: FlightMap) -> Figure:
-    """Shows clearance, speed, step divided by clearance, and turn, frame by frame."""
+    """Shows the clearance, the speed, the camera's step divided by the clearance, and the turn, frame by frame."""
     seconds = flight.seconds
     clearance = [100 * c / flight.hull for c in flight.series("clearance")]
     speed = _speeds(flight)

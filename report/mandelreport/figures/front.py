@@ -10,7 +10,7 @@ from ..models import label
 from ..text import ms, plain
 from . import style
 
-# Marker of each precision and mode, and whether it is filled.
+# Fill style and shape of the marker of each precision and mode.
 KINDS = {
     ("double", "exact"): ("full", "o"),
     ("float", "exact"): ("none", "o"),
@@ -20,7 +20,7 @@ KINDS = {
 
 
 def times(bench: Bench, backends: Backends) -> Figure:
-    """Shows the times, the reference last, in a figure narrow enough for a phone."""
+    """Shows the times, with the reference last, in a figure that is narrow enough for a phone."""
     rows = [row for row in bench.all_rows if row.timed]
     fractals = list(dict.fromkeys(row.fractal for row in rows))
     names = backends.order(label(row) for row in rows)

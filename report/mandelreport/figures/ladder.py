@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The ladder from the serial reference to the fastest picture: what each change gains."""
+"""The ladder from the serial reference to the fastest picture: each rung is a change, and shows the change's gain."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ RUNGS = {
 
 
 def ladder(bench: Bench) -> Figure:
-    """Shows a panel for each fractal, a bar for each rung. A bar begins at the gain of all rungs before it and ends at
-    the gain that includes its own."""
+    """Shows a panel for each fractal, with a bar for each rung. A bar begins at the product of the gains of all rungs
+    before it. It ends at the product that includes its own gain."""
     fractals = bench.values("fractal")
     figure, axes = style.panels(len(fractals), 1, 4, 2.2 * len(fractals), sharex=True)
     said = []

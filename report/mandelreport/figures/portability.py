@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pennycook's metric: as a cascade of efficiencies over the platforms, best first, and against code convergence."""
+"""Pennycook's metric of performance portability: a cascade over the platforms, best first, and a chart of the metric
+against code convergence."""
 
 from __future__ import annotations
 
@@ -12,8 +13,8 @@ from . import style
 
 
 def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
-    """Shows a panel for each fractal and mode, a line for each backend and precision: the metric over the 1, 2, ...
-    platforms with the highest efficiency. Dashes show the efficiency on each platform."""
+    """Shows a panel for each fractal and mode, with a line for each backend and precision. The line's value at n is the
+    metric over the n platforms on which the efficiency is highest. Dashes show the efficiency on each platform."""
     if not entries:
         return None
     fractals = list(dict.fromkeys(e["fractal"] for e in entries))
@@ -52,8 +53,8 @@ def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
 
 
 def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backends: Backends) -> Figure | None:
-    """Shows the navigation chart. A single backend has one source for all its platforms; all backends together share
-    the kernel source."""
+    """Shows the navigation chart: the metric over code convergence. A single backend has one source for all its
+    platforms; all backends together share only the kernel source."""
     names = [model["backend"] for model in divergence["models"]]
     best: dict[str, list[float]] = {}
     for entry in entries:

@@ -16,7 +16,7 @@ STAGES = ["begin", "march", "refine", "normal", "shade", "output"]
 
 
 def stage_medians(bench: Bench) -> dict[tuple[str, str, str], dict[str, float]]:
-    """Returns the seconds of each stage, by fractal, precision and mode."""
+    """Returns the median seconds of each stage, by fractal, precision and mode."""
     found: dict[tuple[str, str, str], dict[str, float]] = {}
     for stage in bench.data["stages"]:
         key = (stage["fractal"], stage["precision"], stage["mode"])
@@ -25,7 +25,8 @@ def stage_medians(bench: Bench) -> dict[tuple[str, str, str], dict[str, float]]:
 
 
 def operation_shares(bench: Bench) -> dict[tuple[str, str, str], dict[str, float]]:
-    """Returns each stage's fraction of the counted operations of the official scenes."""
+    """Returns the fraction of the counted operations that each stage takes, for the official scenes, by fractal,
+    precision and mode."""
     found = {}
     for count in bench.data["counts"]:
         if count["setting"]["view"] != "official":
@@ -37,7 +38,8 @@ def operation_shares(bench: Bench) -> dict[tuple[str, str, str], dict[str, float
 
 
 def profile(bench: Bench) -> Figure | None:
-    """Shows stacked bars: fractions of time and, below each, of counted operations."""
+    """Shows stacked bars of the stages' fractions of the time. Below each is a bar of their fractions of the counted
+    operations."""
     times = stage_medians(bench)
     if not times:
         return None

@@ -54,7 +54,8 @@ SETTINGS: Any = {
 
 
 def _turn(number: int) -> int:
-    """Returns the index of hatch, marker and dash, which differ for series of the same colour beyond the eighth."""
+    """Returns the index of the hatch, marker and dash of a series. Series from the ninth on repeat the colours with
+    other hatches, markers and dashes."""
     return (number + number // 8) % 8
 
 
@@ -87,10 +88,11 @@ def _rounded(number: re.Match[str]) -> str:
 
 
 def block(figure: Plot, alt: str, caption: str, wide: bool = True) -> Figure:
-    """Returns the figure as SVG, reproducibly for the same data."""
+    """Returns the figure as SVG. The same data gives the same bytes."""
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", dpi=150, metadata={"Date": None, "Creator": None})
     plt.close(figure)
-    # Round path coordinates to hundredths of a point, beyond a printer's resolution; hatches have thousands of them.
+    # Rounds path coordinates to hundredths of a point, which is finer than a printer's resolution. Hatches have
+    # thousands of coordinates.
     short = re.sub(r'(?<= d=")[^"]*', lambda path: re.sub(r"-?\d+\.\d{3,}", _rounded, path[0]), buffer.getvalue())
     return Figure(data_uri("image/svg+xml", short.encode()), alt, caption, wide)

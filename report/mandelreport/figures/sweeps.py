@@ -12,8 +12,8 @@ from . import style
 
 
 def _series(bench: Bench) -> dict[tuple[str, str], list[Row]]:
-    """Returns the timed rows of each fractal and line; a line is a backend, with precision and mode if there are
-    several."""
+    """Returns the timed rows of each line of the figure, by fractal and by the line's name: the backend and, if the
+    study has several, the precision and the mode."""
     precisions, modes = bench.values("precision"), bench.values("mode")
     lines: dict[tuple[str, str], list[Row]] = {}
     for row in bench.rows:
@@ -33,7 +33,8 @@ def _label(bench: Bench, row: Row) -> str:
 
 
 def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms", ideal: bool = False) -> Figure | None:
-    """Shows lines over the sweep's setting, a panel per fractal. `y`: ms, rate (Mpixel/s) or speed-up over x = 1."""
+    """Shows lines over the sweep's setting, in a panel for each fractal. `y`: ms, rate (Mpixel/s), or the speed-up over
+    the first value of the setting."""
     lines = _series(bench)
     if not lines:
         return None
@@ -67,7 +68,7 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
         xs = list(labels)
         if ideal:
             axis.plot(xs, [x / xs[0] for x in xs], color="#777777", linewidth=0.8, linestyle=":", label="ideal")
-        axis.set_xscale("log" if min(xs) > 0 else "linear")  # detail levels are negative
+        axis.set_xscale("log" if min(xs) > 0 else "linear")  # linear for detail levels, which are negative
         axis.set_xticks(xs, list(labels.values()), minor=False, fontsize=7)
         axis.minorticks_off()
         axis.set_ylim(bottom=0)
@@ -78,7 +79,7 @@ def sweep(bench: Bench, x_title: str, y_title: str, caption: str, y: str = "ms",
 
 
 def ablation(bench: Bench) -> Figure | None:
-    """Shows the gain from each technique: the time without it divided by the time with all."""
+    """Shows the gain from each technique: the time without this technique divided by the time with all techniques."""
     lines = _series(bench)
     fractals = list(dict.fromkeys(fractal for fractal, _ in lines))
     if not fractals:

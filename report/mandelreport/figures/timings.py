@@ -16,8 +16,8 @@ from . import style
 
 
 def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
-    """Shows the time of every backend divided by that of the scalar kernel, fastest first, a panel for each fractal and
-    mode."""
+    """Shows the time of every backend divided by the scalar kernel's time, fastest first, in a panel for each fractal
+    and mode."""
     rows = with_scalar(bench, backends.reference)
     if not any(row.sweep_value == SCALAR for row in rows):
         return None
@@ -51,11 +51,12 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
 
 
 def ratios(bench: Bench, backends: Backends, question: str, title: str, caption: str) -> Figure | None:
-    """Shows the ratios that bench measured round by round, as points with intervals, a line for each backend."""
+    """Shows the ratios of kernel times that answer a question of bench, as points with intervals."""
     found = bench.data["questions"][question]
     if not found:
         return None
-    # Numerator and denominator, such as mandelbox/double/exact/openmp/0, differ in what the question compares.
+    # Numerator and denominator name rows, such as mandelbox/double/exact/openmp/0. They differ in the part that the
+    # question compares, for example in the precision.
     entries = []
     for ratio in found:
         fractal, precision, mode, backend, device, *scalar = ratio["denominator"].split("/")
@@ -118,7 +119,7 @@ def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
 
 
 def machines(benches: list[Bench]) -> Figure | None:
-    """Compares the fastest backend of each machine, for each fractal, precision and mode."""
+    """Shows the speed of each machine's fastest backend, for each fractal, precision and mode."""
     if len(benches) < 2:
         return None
     kinds = list(dict.fromkeys(row.kind for bench in benches for row in bench.fastest()))

@@ -15,8 +15,9 @@ from . import style
 
 @dataclass(frozen=True)
 class Factors:
-    """Operations per pixel of a picture: DE evaluations x iterations per evaluation x operations per iteration. DE
-    evaluations and iterations are counted over all pixels, operations per iteration and active lanes in a sample."""
+    """The factors of a picture's operations per pixel: DE evaluations per pixel, iterations per evaluation, operations
+    per iteration. DE evaluations and iterations are counted over all pixels. Operations per iteration and active lanes
+    are counted in a sample of the pixels."""
 
     fractal: str
     precision: str
@@ -68,7 +69,7 @@ def factors(bench: Bench, backend: str) -> list[Factors]:
 
 
 def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
-    """Shows each factor of the Mandelbox divided by that of the Mandelbulb, a bar for each scene."""
+    """Shows each factor of the Mandelbox divided by the Mandelbulb's, with a bar for each scene."""
     if not pairs:
         return None
     names = [
@@ -95,7 +96,7 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
             if value is None:
                 continue
             x = k + (number - (len(pairs) - 1) / 2) * width
-            # Bars start at 1: factors that make the box slower go up, the others down.
+            # Bars start at 1. Factors that make the Mandelbox slower point up, the others down.
             axis.bar(x, value - 1, width, bottom=1, label=box.view if k == 0 else None, **style.look(number))
             axis.text(x, max(value, 1) * 1.05, digits(value, 2), ha="center", va="bottom", fontsize=6.5, rotation=90)
             said.append(f"{box.view}, {names[k].replace(chr(10), ' ')}: {digits(value)}")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections: each module's function takes the material and returns the values for its template. front is the first page,
-followed by the main part and the appendix, in the order of page.py."""
+"""Sections of the report. The function section() of each module takes the material and returns the values for the
+section's template. The module front is the first page. The main part and the appendix follow, in the order of
+page.py."""
 
 from __future__ import annotations
 
@@ -31,5 +32,5 @@ class Material:
         return Answers(self.results, self.backends)
 
     def letter(self, name: str) -> str:
-        """Returns the letter of a result of the standard study in tables: A for the first."""
+        """Returns the letter that stands in tables for a result of the standard study: A for the first."""
         return chr(ord("A") + [bench.name for bench in self.results.study("standard")].index(name))

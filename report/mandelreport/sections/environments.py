@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Environments of all measurements: results as columns, compilers and drivers once, the other files as lines."""
+"""Environments of all measurements, in three tables: a column for each standard study; a line for each set of compiler,
+flags and driver; a line for each other file."""
 
 from __future__ import annotations
 
@@ -13,7 +14,8 @@ from .method import instructions
 
 
 def _told(what: Any, words: Callable[[Any], str]) -> str:
-    """Returns the machine's reading, or why it is missing. Older builds of bench did not take it."""
+    """Returns a measured value of the machine as text, or the reason why it is missing. `what` is None for results of
+    older builds of bench, which did not measure it."""
     if what is None:
         return "not recorded"
     return f"missing: {what['missing']}" if "missing" in what else words(what)
@@ -72,7 +74,7 @@ def _environments(material: Material) -> Table | None:
 
 
 def _backends(material: Material) -> Table | None:
-    """Returns compilers, flags and drivers, a line for each distinct one, with the results that have it."""
+    """Returns a line for each distinct set of backend, compiler, flags and driver, with the results that have it."""
     lines: dict[tuple[str, ...], list[str]] = {}
     for bench in material.results.study("standard"):
         for backend in bench.environment["backends"]:

@@ -38,7 +38,7 @@ def _audit_table(audit: dict[str, Any]) -> Table:
 
 def section(material: Material) -> dict[str, Any]:
     results = material.results
-    # The last map appears in the main part.
+    # The last flight's map of balls appears in the main part.
     maps = [(figures.ground(m) if m is not results.maps[-1] else None, figures.over_time(m), m) for m in results.maps]
     command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
     return {

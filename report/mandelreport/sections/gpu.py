@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Expected and measured times of GPUs, one table each."""
+"""Expected and measured times of GPUs, in a table for each GPU."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
 
 
 def _measured(material: Material, gpu: str, kind: list[str]) -> Row | None:
-    """Returns this GPU's fastest row at the predicted size for a fractal, precision, mode and backend."""
+    """Returns the fastest row measured on this GPU with the prediction's picture size. `kind`: fractal, precision, mode
+    and backend of the row."""
     rows = [
         row
         for bench in material.results.benches

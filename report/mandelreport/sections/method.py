@@ -23,7 +23,8 @@ HOST_COMPILERS = ("GNU", "Clang")
 
 
 def _baseline(material: Material) -> str:
-    """Names the instruction sets of the host's backends, and the scalar kernel's gain from -march=native."""
+    """Returns sentences that name the instruction sets for which the host's backends are compiled and, if it was
+    measured, the models' gain from -march=native."""
     bench = material.answers.primary
     if bench is None:
         return ""
@@ -41,7 +42,7 @@ def _baseline(material: Material) -> str:
 
 
 def _built_for_this_machine(material: Material, file: str) -> Markup:
-    """Returns a sentence on a duel whose second program was compiled with -march=native; else nothing."""
+    """Returns a sentence on a duel if its second program was compiled with -march=native; otherwise returns no text."""
     duel = material.results.files[file]
     build, cpu = duel["new"]["environment"]["build"], duel["new"]["environment"]["cpu"]
     if "-march=native" not in build["flags"]:

@@ -17,7 +17,7 @@ from .sweeps import THREADS, sweep
 
 
 def _march(material: Material) -> str:
-    """States that marching takes most of the time, if every profile shows it."""
+    """Returns the statement that marching takes most of the time, or no text if a profile contradicts it."""
     shares = [
         stages["march"] / sum(stages.get(stage, 0) for stage in STAGES)
         for bench in material.results.study("profile")
@@ -28,12 +28,12 @@ def _march(material: Material) -> str:
 
 
 def _traced(material: Material, bench: Bench, row: Row) -> Markup:
-    """Formats the ratio of a sweep value to the first one, with its interval."""
+    """Formats the ratio of a row's time to that of the sweep's first value, with its interval."""
     return material.results.times(bench.name, bench.ratio_at("to_first_value", row.name))
 
 
 def _scaling(material: Material) -> str:
-    """Compares the time on all of the processor's threads with that on one."""
+    """Returns a sentence that compares the time on as many threads as cores with the time on one thread."""
     found = []
     for bench in material.results.study("threads"):
         cores = str(bench.environment["cpu"]["cores_usable"])
@@ -45,7 +45,8 @@ def _scaling(material: Material) -> str:
 
 
 def _worth(material: Material) -> str:
-    """Names the techniques with the largest and the smallest gain among those that do not change the picture."""
+    """Returns a sentence on the techniques with the largest and the smallest gain, of those that do not change the
+    picture."""
     longest: dict[str, tuple[float, Markup]] = {}
     for bench in material.results.study("ablation"):
         for row in (row for row in bench.timed() if row.value not in ("none", "refinement")):

@@ -19,7 +19,7 @@ from . import Material
 
 @dataclass(frozen=True)
 class Shown:
-    """A picture, stored once for all keys with the same bytes."""
+    """A picture, stored once for all keys whose pictures have the same bytes."""
 
     name: str  # in the page
     figure: Figure
@@ -28,7 +28,7 @@ class Shown:
 
 
 def _names(keys: list[Key]) -> str:
-    """Returns "openmp, opencl (double, exact); openmp (float, exact)"."""
+    """Returns the names of pictures, such as "openmp, opencl (double, exact); openmp (float, exact)"."""
     kinds: dict[str, list[str]] = {}
     for key in keys:
         kinds.setdefault(f"{key.precision}, {key.mode}", []).append(key.backend)
@@ -36,7 +36,8 @@ def _names(keys: list[Key]) -> str:
 
 
 def _compared(studio: Studio, a: Picture, b: Picture) -> str:
-    """Describes the difference of two pictures; of exact ones, in all bits of colour and depth."""
+    """Returns a description of the difference of two pictures. Pictures with the same bytes are also compared in all
+    bits of colour and depth, if both are exact and of one precision."""
     found = studio.compare(a.drawn, b.drawn)
     if not found["same"]:
         counts = (found[f"{kind}_pixels"] for kind in ("differing", "visibly_differing"))
@@ -47,7 +48,7 @@ def _compared(studio: Studio, a: Picture, b: Picture) -> str:
 
 
 def _visible(found: dict[str, Any]) -> str:
-    """Formats the fraction of pixels that differ visibly, in a comparison by imgdiff."""
+    """Formats the fraction of pixels that differ visibly according to imgdiff."""
     return f"{100 * found['visibly_differing_pixels'] / (found['width'] * found['height']):.3f} %"
 
 
@@ -62,7 +63,7 @@ def _encoded(image: Image.Image, kind: str, **options: Any) -> str:
 
 
 def _map(path: Path) -> str:
-    """Returns a map of differences, each enlarged by a pixel on all sides, so that single pixels are visible."""
+    """Returns a map of differences. Each differing pixel is enlarged by a pixel on all sides, so that it is visible."""
     with Image.open(path) as drawn:
         # 16 greys compress well.
         return _encoded(drawn.convert("L").filter(ImageFilter.MinFilter(3)).quantize(16), "png", optimize=True)
@@ -79,7 +80,7 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
         keys = [picture.key for picture in same]
         names = _names(keys)
         figure = Figure(_encoded(first.image, "webp", lossless=True, quality=80, method=4), f"The {fractal}'s official scene, rendered by {names}.", names)
-        # The reference's picture in the same mode, in double.
+        # Compares with the reference's picture in the same mode, in double.
         canonical = pictures.get(Key(fractal, "double", first.key.mode, material.backends.reference))
         drawn = None
         if canonical is not None and first.key.backend != canonical.key.backend:

@@ -28,7 +28,7 @@ def _picture(material: Material, fractal: str) -> Figure | None:
 
 
 def _verification(material: Material) -> Block:
-    """Returns the verification result of each row of the primary study, backends as columns."""
+    """Returns a table of the verification results of the primary study, with backends as columns."""
     bench = material.answers.primary
     if bench is None:
         return Missing("The verification", "make bench")

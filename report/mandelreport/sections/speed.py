@@ -24,7 +24,8 @@ def _see(figure: Figure | None, text: str) -> Figure | None:
 
 
 def _table(material: Material, bench: Bench) -> Table:
-    """Returns backends as lines, fastest first, then the host compared with both baselines."""
+    """Returns a table with a line for each backend, fastest first. The last lines compare the host with both
+    baselines."""
     host, backends = material.backends.host, material.backends
     rows = with_scalar(bench, backends.reference)
     kinds = list(dict.fromkeys(row.kind for row in rows))

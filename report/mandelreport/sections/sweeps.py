@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sweeps: one setting varies. Threads and the ablation are in the main part."""
+"""Sweeps: studies in which one setting varies. The sweep of threads and the ablation are in the main part."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..blocks import Block, Missing
 from ..figures import sweeps
 from . import Material
 
-# study, title of x, quantity on y, caption
+# Arguments of sweep(): study, title of x, quantity on y, caption.
 SWEEPS = [
     (
         "resolution",
@@ -39,7 +39,8 @@ Y_TITLES = {"rate": "Mpixel/s", "speed-up": "speed-up", "ms": "time [ms]"}
 
 
 def sweep(material: Material, study: str, x_title: str, y: str, caption: str) -> list[Block]:
-    """Returns a figure for each result of the study, or a note how to make one."""
+    """Returns a figure for each result of the study or, if there is no result, a note with the command that makes
+    one."""
     blocks: list[Block] = []
     for bench in material.results.study(study):
         about = f"{caption} {' and '.join(bench.values('mode')).capitalize()} mode; {bench.machine}."

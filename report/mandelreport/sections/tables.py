@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All results of the standard study: a column for each machine and setting, named by the letters of the main part."""
+"""Tables of all results of the standard study. Each result has a column, named by its letter in the main part."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def time_cell(row: Row | None) -> str:
 
 
 def quotient_cell(row: Row, key: str) -> str:
-    """Formats a speed-up and its interval; no interval for a baseline compared with itself."""
+    """Formats a speed-up with its interval. A baseline's speed-up over itself has no interval."""
     value = row.figures[key]
     if value is None:
         return "–"
@@ -35,7 +35,8 @@ def quotient_cell(row: Row, key: str) -> str:
 
 
 def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str) -> Table | None:
-    """Returns a line for each fractal, precision, mode and backend, a column for each result, without empty lines."""
+    """Returns a table with a line for each fractal, precision, mode and backend, and a column for each result. Leaves
+    out empty lines."""
     benches = material.results.study("standard")
     found: dict[tuple[str, ...], dict[str, str]] = {}
     for bench in benches:
@@ -82,7 +83,8 @@ def _peaks(material: Material) -> Table | None:
 
 
 def _portability(material: Material) -> list[dict[str, Any]]:
-    """Returns the metric over all platforms: from a file, from a single result, or from bench over several results."""
+    """Returns Pennycook's metric over all platforms: from a file of `bench portability` if the results have one, else
+    from the only machine's result, else from a run of `bench portability` over the machines' results."""
     results, standard = material.results, material.results.machines()
     if results.portability is not None or not standard:
         return results.portability or []
@@ -103,8 +105,8 @@ def _portability(material: Material) -> list[dict[str, Any]]:
 
 
 def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[str]]) -> Table | None:
-    """Returns the metric of backends that were measured everywhere; `missing`: for each other backend, the platforms
-    where it was not measured."""
+    """Returns a table of Pennycook's metric for the backends that were measured on all platforms. `missing`: for each
+    other backend, the platforms on which it was not measured."""
     platforms = dict.fromkeys(on["platform"] for entry in entries for on in entry["platforms"])
     rows = []
     for entry in entries:
@@ -138,7 +140,7 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
 
 
 def _simd_widths(material: Material) -> Table | None:
-    """Compares the host's packs with the scalar kernel, if a sweep of SIMD widths has both."""
+    """Returns the speed-up of the host's packs over the scalar kernel, by SIMD width, from sweeps that have both."""
     rows = [
         [bench.name, *row.kind, row.value, ms(row.wall.median), quotient_cell(row, "over_scalar")]
         for bench in material.results.study("simd-widths")

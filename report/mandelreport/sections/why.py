@@ -23,7 +23,8 @@ FRACTALS = ("mandelbox", "mandelbulb")
 
 
 def factor_table(material: Material) -> Table | None:
-    """Returns the cost of a picture of each scene in all studies box-vs-bulb."""
+    """Returns a table of the factors of a picture's operations, with a line for each scene in all studies
+    box-vs-bulb."""
     found = [(bench.name, f) for bench in material.results.study("box-vs-bulb") for f in factors(bench, material.backends.host)]
     rows = [
         [
@@ -71,7 +72,8 @@ def factor_table(material: Material) -> Table | None:
 
 
 def _answer(material: Material, bench: Bench, found: list[Factors], precision: str) -> dict[str, Any] | None:
-    """Returns the official scenes' factors, each with its place."""
+    """Returns the ratios of the official scenes' times and operations in one precision, as numbers that keep their
+    places in the result file. Returns None if a scene was not timed."""
     host = material.backends.host
     if {f.fractal for f in found if f.view == "official" and f.precision == precision and f.kernel} != set(FRACTALS):
         return None
@@ -132,7 +134,7 @@ def _study(material: Material, bench: Bench) -> dict[str, Any]:
 
 
 def _see(pairs: list[tuple[Factors, Factors]]) -> str:
-    """Names the scene with the largest ratio."""
+    """Returns a sentence that names the scene in which the Mandelbox takes longest, compared with the Mandelbulb."""
     box, bulb = max(pairs, key=lambda pair: (pair[0].kernel or 0) / (pair[1].kernel or 1))
     if not box.kernel or not bulb.kernel:
         return ""
@@ -152,7 +154,7 @@ def section(material: Material) -> dict[str, Any]:
         f"Time in double over that in float, round by round, with 95 % intervals ({primary.name}).",
     )
     studies = material.results.study("box-vs-bulb")
-    # The study with the most backends, in both precisions.
+    # Takes the study with the most backends and, of several such studies, the one with the most rows.
     first = max(studies, key=lambda bench: (len(bench.values("backend")), len(bench.rows)), default=None)
     return {
         "study": _study(material, first) if first else None,
