@@ -66,7 +66,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
         ->check(whole(0, std::int64_t{1} << 53))
         ->capture_default_str();
     const std::string changing =
-        ": A, or changing in flight: A:B (from first to last frame) or 0s=A,60s=B (at seconds)";
+        " (A), or a change of it: A:B (from the first frame to the last) or 0s=A,60s=B (at these seconds)";
     app.add_option("--power", options.power, "plan, film: the Mandelbulb's power" + changing);
     app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale" + changing);
     add_estimate_option(app, options.conservative);

@@ -87,9 +87,8 @@ int body(int argc, char** argv)
     app.add_option("--map", map, "write a map of differences (white: equal) to this .png, .bmp, .ppm or .jpg");
     app.add_flag("--json", json, "print the result as JSON");
     app.footer(
-        "Two EXR pictures are compared in every bit of colour and, if both have it, depth. Other pictures are compared "
-        "by "
-        "the 8-bit colours of their pixels.\n"
+        "Two EXR pictures are compared bit for bit: their colours and, if both have depths, their depths. Other "
+        "pictures are compared by the 8-bit colours of their pixels.\n"
         "Pixels are counted from the bottom left. Exit codes: 0 same, 1 different, 2 bad input.");
     if (const auto done = parse_arguments(app, "imgdiff", argc, argv)) return *done;
     first = input_name(first);

@@ -116,8 +116,8 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         ->needs(list);
     app.add_flag(
         "--print-scene", options.print_scene,
-        "print the scene as the kernels receive it, as JSON, and render nothing; the step factor is the one that a "
-        "trial render may reduce when a picture is rendered");
+        "print the scene as the kernels receive it, as JSON, and render nothing; the step factor is that before a "
+        "trial render, which may reduce it");
     app.footer(fmt::format(
         "Memory: about {} MiB, plus {} bytes per pixel; {} bytes per pixel for an EXR file, {} for an EXR file into a "
         "pipe. 16384 x 16384 pixels need {} MiB as BMP or PNG. With --samples N, a pixel needs N x N times as much.\n"

@@ -17,8 +17,8 @@ void add_backend_option(CLI::App& app, std::string& name, const Registry& regist
 void add_isolation_option(CLI::App& app);
 
 // Returns the backend called `name`. If `name` is "auto", this is the backend of Registry::automatic() or, if that
-// backend does not support the options, the host's backend. In this case prints the choice with its reason, if `tells`
-// is true.
+// backend does not support the options, the host's backend. For "auto" and if `tells` is true, also prints the choice
+// with its reason.
 const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells,
                               const RendererOptions& options = {});
 

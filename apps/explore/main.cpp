@@ -44,7 +44,7 @@ Options parse_options(const Registry& registry, int argc, char** argv, std::opti
     app.set_version_flag("--version", version_line("explore"));
     Options options;
     app.add_option("FILE", options.file, "parameter file (.dat) or path (.json) to open");
-    app.add_option("--fractal", options.fractal, "fractal to open, or fractal of a .dat that does not name one");
+    app.add_option("--fractal", options.fractal, "fractal to open; for a .dat that names no fractal, its fractal");
     std::vector<std::string> names = registry.names();
     app.add_option("--backend", options.backend, "rendering backend (default: last used)")->check(CLI::IsMember(names));
     app.add_option("--device", options.device, "device of that backend, from 0")->check(whole(0, 1'000'000));

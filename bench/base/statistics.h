@@ -84,8 +84,9 @@ struct Quotient {
 };
 
 // Returns the quotient of two sets of times. Each set has at least one time, and the times of a run are in the order of
-// its rounds. If the sets have several runs in common, the interval is run_interval() of the ratios of the two medians
-// in each of these runs. Otherwise it is median_interval() of the ratios of the two times in each round.
+// its rounds. If the sets have several runs in common, each of these runs gives a ratio: its median in one set over
+// that in the other. The interval is run_interval() of these ratios. Otherwise it is median_interval() of the ratios of
+// the two times in each round.
 Quotient quotient(const ValuesByRun& numerator, const ValuesByRun& denominator);
 
 // Contribution of one sampled patch to the numerator and the denominator of a ratio of sums.

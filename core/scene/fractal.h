@@ -163,7 +163,8 @@ struct Fractal {
     std::string_view official;    // text of the parameter file of its official scene
     std::array<ParameterInfo, 3> shape;
     ParameterInfo escape;
-    // Returns what is wrong with the combination of the three values of line 7, or "" if nothing is.
+    // Returns what is wrong with the combination of the three values of the parameter file's line 7, or "" if nothing
+    // is.
     std::string_view (*objection)(const Scene& scene) = defaults::objection;
     RowFormula<FractalConstants> constants;
     // Sets the constants of tails. A tail is the last iterations of an orbit, which fast mode computes with only one

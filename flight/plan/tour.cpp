@@ -80,8 +80,9 @@ private:
         return candidates[static_cast<std::size_t>(random_.share() * static_cast<double>(candidates.size()))];
     }
 
-    // Replaces `at` by a ball at the same place in the next stretch, until the stretch is the one of the tour's shape
-    // time. Returns false if the roadmap of one of these stretches has no ball near the place.
+    // Moves `at` from stretch to stretch, each time to a ball near the same place, until it is in the stretch that
+    // contains the tour's shape time. Returns false if the roadmap of one of these stretches has no ball near the
+    // place.
     bool moved_on(Node& at) const
     {
         while (tour_.clock > search_.stretch(at.stretch).until) {

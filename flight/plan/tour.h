@@ -15,10 +15,9 @@ namespace mandelmarch {
 // A polyline. Its pinned points, which are the centres of gates, must be kept when it is smoothed.
 struct Polyline {
     std::vector<Vector> points;
-    std::vector<char> pinned;  // for each point
-    // For each point: the shape time in frames, and the value of the shape parameter in the roadmap in which the point
-    // was found.
-    std::vector<double> clock, found;
+    std::vector<char> pinned;   // for each point
+    std::vector<double> clock;  // for each point: its shape time in frames
+    std::vector<double> found;  // for each point: the shape parameter of the roadmap that contains it
 };
 
 struct Tour {

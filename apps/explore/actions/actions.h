@@ -17,7 +17,7 @@ public:
     virtual std::string clipboard() const = 0;
     virtual void set_clipboard(const std::string& text) const = 0;  // throws Error
     virtual void toggle_full_screen() = 0;
-    // Moves the keyboard from the pictures to the panel or back. Returns true if the panel then has the keyboard.
+    // Moves the keyboard focus from the pictures to the panel or back. Returns true if the panel then has it.
     virtual bool toggle_panel_focus() = 0;
 };
 

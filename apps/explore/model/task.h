@@ -41,8 +41,8 @@ private:
     std::future<Result> result_;
 };
 
-// Returns the result of a task or, if the task has failed, `name` and the error's message. Both are returned only at
-// the first call after the task has ended; other calls return "".
+// Returns the result of a task or, if the task has failed, `name` and the error's message. Only the
+// first call after the task has ended returns one of these; other calls return "".
 inline std::string news_of(Task<std::string>& task, const std::string& name)
 {
     std::string failure;
