@@ -98,8 +98,11 @@ def model_cost(results, study, *backends):
 
 def speed_up(results, file, mode, backend):
     """Range of the speed-ups of a duel's second program over the first, in one mode and with one backend."""
-    verdicts = [(one["name"].split("/"), one) for one in results.json(file)["verdicts"]]
-    ratios = [1 / one["ratio"] for words, one in verdicts if words[2:4] == [mode, backend]]
+    duel = results.json(file)
+    chosen = {row["name"]: row["same_picture"] for row in duel["rows"] if row["name"].split("/")[2:4] == [mode, backend]}
+    if mode == "exact" and not all(chosen.values()):
+        raise InputError(f"{file}.json: the two programs draw different exact pictures with {backend}")
+    ratios = [1 / one["ratio"] for one in duel["verdicts"] if one["name"] in chosen]
     if not ratios:
         raise InputError(f"{file}.json has no pictures of {backend} in {mode} mode")
     return range_of(ratios, 2)

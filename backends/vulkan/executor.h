@@ -83,8 +83,8 @@ public:
     {
         if (entry == Entry::begin || entry == Entry::draw)
             gpu_.commands().fillBuffer(*results().handle, 0, flags_size, 0);
-        // `begin` has no pass of its own: the first pass that marches rays also begins them. The first pass after
-        // marching also processes their stops.
+        // There is no separate pass for `begin`: the first pass that marches rays also begins them. The first pass
+        // after marching also processes their stops.
         if (entry == Entry::begin) {
             begins_ = stage_begin;
             stops_ = stage_stop;

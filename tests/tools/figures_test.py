@@ -84,10 +84,18 @@ class FiguresTest(ToolTest):
     def test_a_duel_s_speed_ups_are_those_of_a_mode_and_a_backend(self):
         ratios = {"mandelbulb/double/exact/stdpar/0": 0.8, "mandelbox/float/exact/stdpar/0": 1.25,
                   "mandelbox/float/fast/stdpar/0": 0.5, "mandelbox/float/exact/kokkos/0": 0.1}
-        self.write("native.json", json.dumps({"verdicts": [{"name": name, "ratio": ratio} for name, ratio in ratios.items()]}))
+        duel = {"verdicts": [{"name": name, "ratio": ratio} for name, ratio in ratios.items()],
+                "rows": [{"name": name, "same_picture": "/exact/" in name} for name in ratios]}
+        self.write("native.json", json.dumps(duel))
         place = "It is <!-- figures: speed-up native exact stdpar -->0.80 to 1.25<!-- end --> times as fast, with kokkos " \
             "<!-- figures: speed-up native exact kokkos -->10.00<!-- end -->.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
+        # Exact pictures must have the same bits.
+        duel["rows"][0]["same_picture"] = False
+        self.write("native.json", json.dumps(duel))
+        code, said, _ = self.figures(place, "--check")
+        self.assertNotEqual(code, 0)
+        self.assertIn("different exact pictures with stdpar", said)
 
     def test_what_is_fresh_passes_the_check(self):
         self.assertEqual(self.figures(WORTH + TABLE, "--check"), (0, "", WORTH + TABLE))

@@ -27,7 +27,7 @@ struct HitPack {
 // Bit masks of the fields of a RayPack or a HitPack. Bit n stands for the pool's array number n. Fields of type `real`:
 constexpr unsigned direction_bits = 7 << 0;  // x, y, z
 constexpr unsigned end_bit = 1 << 3;         // end of a ray, or state of a hit
-constexpr unsigned t_bit = 1 << 4;           // of a ray: t of its next sample; of a hit: t of its next refinement
+constexpr unsigned t_bit = 1 << 4;           // t of the next DE evaluation
 constexpr unsigned sample_bits = 0xf << 5;   // of a ray: t and estimate of the last two samples; of a hit: its bracket
 constexpr unsigned room_bit = 1 << 9;
 constexpr unsigned shared_bits = 3 << 9;  // of a HitPack; uses the array of `room` and the next one

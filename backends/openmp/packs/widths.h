@@ -3,9 +3,9 @@
 
 enum class StepKind { march, march_cones, refine };
 
-// Advances the pack at index `from` of a pool. `rays`: number of the pool's rays from that index on. `kind` selects
-// what happens to the pack: it is refined once, or it is marched until a quarter of its rays have ended, but at most
-// for a limited number of steps. `going` receives, per register, the mask of the rays that continue.
+// Advances the pack at index `from` of a pool. `rays`: number of the pool's rays from that index on. With
+// StepKind::refine, refines the pack once. Otherwise marches it until a quarter of its rays have ended, or for a
+// limited number of steps. `going` receives, per register, the mask of the rays that continue.
 using TakeSteps = void (*)(const KernelScene<MM_REAL>& scene, const Canvas<MM_REAL>& canvas, RayPool<MM_REAL>& pool,
                            StepKind kind, int from, int rays,
                            hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<MM_REAL>>* going);
