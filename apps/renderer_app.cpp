@@ -104,7 +104,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_option("--output", options.output,
                    "picture: .bmp, .png, .ppm, .jpg or .exr (default: from PARAMS; -: standard output, as BMP)");
     app.add_option("--stats", options.stats, "write times and work counts to this file, as JSON");
-    auto* pixel = app.add_option("--pixel", options.pixel, "pixel for --trace: X,Y from the bottom left");
+    auto* pixel = app.add_option("--pixel", options.pixel, "X,Y of the pixel to trace, from the bottom left");
     auto* trace = app.add_flag("--trace", options.trace, "print the steps of that pixel's ray instead of rendering");
     trace->needs(pixel);
     pixel->needs(trace);
@@ -116,11 +116,11 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         ->needs(list);
     app.add_flag(
         "--print-scene", options.print_scene,
-        "print the scene as the kernels receive it, as JSON, and render nothing; the step factor is that before a "
-        "trial render, which may reduce it");
+        "print the scene as the kernels receive it, as JSON, and render nothing; the step factor is the initial one, "
+        "which a trial render may reduce");
     app.footer(fmt::format(
-        "Memory: about {} MiB, plus {} bytes per pixel; {} bytes per pixel for an EXR file, {} for an EXR file into a "
-        "pipe. 16384 x 16384 pixels need {} MiB as BMP or PNG. With --samples N, a pixel needs N x N times as much.\n"
+        "Memory: about {} MiB plus, for each pixel, {} bytes ({} for an EXR file, {} for an EXR file into a pipe). "
+        "16384 x 16384 pixels need {} MiB as BMP or PNG. With --samples N, a pixel needs N x N times as much.\n"
         "With --region, --size may have sides of up to 1000000 pixels. In exact mode a region has the same bits as "
         "that part of the whole picture.\n"
         "Channels of an EXR file: R, G, B (linear light, Rec. 709), displayed.R, displayed.G, displayed.B (as shown on "

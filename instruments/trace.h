@@ -73,8 +73,8 @@ std::string text_of(const Trace& trace);
 template <class Real>
 using TracePixel = void(const KernelScene<Real>& scene, Trace& trace);
 
-// Returns the function generated from trace.cpp.in (cmake/Kernels.cmake) by variant_name(); nullptr if this build does
-// not contain the fractal.
+// Returns the function for a variant (variant_name()); nullptr if this build does not contain the fractal.
+// cmake/Kernels.cmake generates these functions from trace.cpp.in.
 template <class Real>
 TracePixel<Real>* pixel_tracer(std::string_view variant);
 

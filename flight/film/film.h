@@ -68,8 +68,8 @@ struct StillOptions {
     std::size_t every = 1;
     Picture picture;
     RendererOptions renderer;
-    // Only frames in the range `frames` and in the segments [first, second] become stills; all if not set. Segment 0
-    // begins at the first frame of `frames`.
+    // The frames and the segments that become stills, each from the first to the last of a range. A range that is not
+    // set does not exclude any. Segment 0 begins at the first frame of `frames`.
     std::optional<Range> segments, frames;
 };
 
