@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """progress_test.py BIN: if stderr is a terminal, bench shows the rounds and the time left in one line, which changes.
-Otherwise it prints each message once."""
+Otherwise it prints each message once. Exit code 77: the system has no pseudoterminals."""
 import os
 import pathlib
 import pty
@@ -16,7 +16,11 @@ ROWS = ["--backend", "openmp", "--fractal", "box", "--size", "64x64", "--precisi
 
 def on_terminal(folder, *words):
     """Runs bench with a terminal as stderr, and returns the output on the terminal."""
-    master, terminal = pty.openpty()
+    try:
+        master, terminal = pty.openpty()
+    except OSError as error:
+        print(error)
+        sys.exit(77)
     with open(folder / "out", "w", encoding="utf-8") as out:
         bench = subprocess.Popen([BENCH, *words], stdout=out, stderr=terminal)
     os.close(terminal)

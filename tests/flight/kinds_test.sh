@@ -18,7 +18,7 @@ test_containers() {
         run 0 render path.json $small --frames 50-59 --output "$film"
         same_file "$film" first "the second time"
     done
-    [ "$(head -c 4 kind.mkv | xxd -p)" = 1a45dfa3 ] || fail "kind.mkv is no Matroska file"
+    [ "$(head -c 4 kind.mkv | od -An -tx1)" = " 1a 45 df a3" ] || fail "kind.mkv is no Matroska file"
     [ "$(head -c 4 kind.gif)" = GIF8 ] || fail "kind.gif is no GIF"
     for name in film film.avi film.mp5 mp4; do
         run 2 render path.json $small --output $name
