@@ -20,8 +20,8 @@ enum class DuelClock {
 };
 std::string_view name_of(DuelClock clock);
 
-// Times of a pair of pictures of a configuration. The old program renders one picture and the new program the other, one
-// directly after the other and in random order.
+// Times of a pair of pictures of a configuration. The old program renders one picture and the new program the other,
+// one directly after the other and in random order.
 struct DuelPair {
     int run = 0, round = 0;
     double old_seconds = 0, new_seconds = 0;

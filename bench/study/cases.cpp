@@ -189,8 +189,8 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     });
     for (Case& one : cases) realise(one, options.picture_size());
     cases.insert(cases.end(), without_device.begin(), without_device.end());
-    // Sort the configurations in the order of the table: those of the same picture, or of the same fractal's ladder, stand
-    // together. Backends without a device come last.
+    // Sort the configurations in the order of the table: those of the same picture, or of the same fractal's ladder,
+    // stand together. Backends without a device come last.
     std::ranges::stable_sort(cases, {}, [&](const Case& one) {
         const auto fractal = one.backend == nullptr ? fractals().data() + fractals().size() : one.scene.fractal;
         const auto index = fractal - fractals().data();

@@ -9,8 +9,8 @@
 
 namespace mandelmarch {
 
-// Returns the size of the hull, with a margin for float's rounding errors; 0 if no hull is known. A sample at distance t
-// from the eye is a hit if DE < tolerance * t.
+// Returns the size of the hull, with a margin for float's rounding errors; 0 if no hull is known. A sample at distance
+// t from the eye is a hit if DE < tolerance * t.
 double hull_size(const Scene& scene, double tolerance);
 
 // Used by descriptors. bound(r) is a lower bound of DE at all points whose distance from the origin is at least r.

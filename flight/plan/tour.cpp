@@ -104,7 +104,8 @@ private:
         tour_.cost += search_.cost(node);
     }
 
-    // Extends the tour by a leg to the gate's entry and by the way through the gate. Returns the ball on the other side.
+    // Extends the tour by a leg to the gate's entry and by the way through the gate. Returns the ball on the other
+    // side.
     Node pass(Entry entry)
     {
         const Gate& through = search_.gate(entry);
