@@ -24,7 +24,7 @@ test_pictures() {
     expect 0 "$bin/mandelbulb" paramsBulb.dat --size 1x1 --output one.bmp
     expect 0 bulb --output /dev/null --stats /dev/null
     expect 0 "$bin/mandelbulb" --help
-    prints 'bytes per pixel'
+    prints 'plus, for each pixel, 3 bytes'
     expect 0 "$bin/mandelbulb" --list-devices
     prints '^openmp *0: '
 }
