@@ -24,9 +24,9 @@ constexpr double step_factor = 0.95;  // step length as a fraction of the estima
 // too large.
 constexpr double small_stride = 0.15;
 constexpr int most_small_steps = 200'000;
-// A component of a normal is the difference of the estimates at two points. This is the max of half their distance, as
-// a fraction of the tolerance. A larger distance would blur the relief of a canonical picture, whose details are about
-// as large as the tolerance or smaller.
+// A component of a normal is the difference of the estimates at two points. Half the distance between them is at most
+// this fraction of the tolerance. A larger distance would blur the relief of a canonical picture, whose details are
+// about as large as the tolerance or smaller.
 constexpr double difference_share = 1e-3;
 
 struct Axes {

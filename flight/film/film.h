@@ -68,8 +68,8 @@ struct StillOptions {
     std::size_t every = 1;
     Picture picture;
     RendererOptions renderer;
-    // The frames and the segments that become stills, each from the first to the last of a range. A range that is not
-    // set does not exclude any. Segment 0 begins at the first frame of `frames`.
+    // A frame becomes a still only if it is in the range `frames` and in a segment of the range `segments`. A range
+    // that is not set excludes nothing. Segment 0 begins at the first frame of `frames`.
     std::optional<Range> segments, frames;
 };
 

@@ -17,8 +17,8 @@ namespace mandelmarch {
 namespace {
 
 // Synthetic pictures for a trial. In the picture of call i, off[i] thousandths of the pixels have a colour that no
-// other picture has; the other pixels are black. The fraction of pixels in which two pictures differ is therefore the
-// larger of their two values of `off`.
+// other picture has; the other pixels are black. The number of pixels in which two pictures differ is therefore the
+// larger of their two values of `off`, in thousandths.
 struct Pictures {
     std::vector<int> off;
     std::vector<double> strides{};  // step factors of the calls
