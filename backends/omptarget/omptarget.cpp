@@ -111,11 +111,13 @@ public:
     {
         const int gpus = omp_get_num_devices();
         if (index < gpus) {
+            // OpenACC must come first: it refuses to begin with a device that OpenMP has opened.
+            const Device device{.name = text_of(index, acc_property_name),
+                                .vendor = text_of(index, acc_property_vendor),
+                                .driver = text_of(index, acc_property_driver),
+                                .is_gpu = true};
             omp_target_free(omp_target_alloc(1, index), index);  // opens the device: the driver translates the kernels
-            return {.device = {.name = text_of(index, acc_property_name),
-                               .vendor = text_of(index, acc_property_vendor),
-                               .driver = text_of(index, acc_property_driver),
-                               .is_gpu = true},
+            return {.device = device,
                     .instruction_set = "PTX for sm_35",
                     .pixels_per_band = job::pixels_per_launch(index),
                     .peak_threads = 1 << 21};

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <string_view>
+#include <thread>
 
 #include "backends/opencl/device.h"
 
@@ -99,32 +100,36 @@ inline std::optional<double> device_seconds(const cl::Event& done)
 
 // Waits for the end of an event's command. Throws DeviceHung if that takes longer than device_timeout(), cl::Error if
 // the command fails.
-inline void wait_for(cl::Event& event, const char* doing)
+inline void wait_for(const cl::Event& event, const char* doing)
 {
     struct Signal {
         std::mutex mutex;
         std::condition_variable changed;
-        cl_int status = CL_QUEUED;
+        bool ended = false;
+        cl_int status = CL_QUEUED;  // negative: an error
     };
-    // The signal is shared with a callback, which may run after this function has returned.
-    auto* signal = new std::shared_ptr<Signal>(std::make_shared<Signal>());
-    const std::shared_ptr<Signal> mine = *signal;
-    event.setCallback(
-        CL_COMPLETE,
-        [](cl_event, cl_int status, void* data) {
-            const std::unique_ptr<std::shared_ptr<Signal>> theirs(static_cast<std::shared_ptr<Signal>*>(data));
-            const std::lock_guard lock((*theirs)->mutex);
-            (*theirs)->status = status;
-            (*theirs)->changed.notify_all();
-        },
-        signal);
-    std::unique_lock lock(mine->mutex);
+    // A thread of its own waits, because clWaitForEvents() has no time limit. NVIDIA's driver calls the callbacks of
+    // events some 15 ms late on an H100, so they are not used. The thread may outlive this function.
+    const auto signal = std::make_shared<Signal>();
+    std::thread([event, signal] {
+        const cl_event waited = event();
+        const cl_int error = clWaitForEvents(1, &waited);
+        cl_int status = error;
+        if (error == CL_SUCCESS || error == CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST) {
+            clGetEventInfo(waited, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof(status), &status, nullptr);
+        }
+        const std::lock_guard lock(signal->mutex);
+        signal->status = status;
+        signal->ended = true;
+        signal->changed.notify_all();
+    }).detach();
+    std::unique_lock lock(signal->mutex);
     const auto limit = std::chrono::duration<double>(device_timeout());
-    if (!mine->changed.wait_for(lock, limit, [&] { return mine->status != CL_QUEUED; })) {
+    if (!signal->changed.wait_for(lock, limit, [&] { return signal->ended; })) {
         throw DeviceHung(fmt::format("backend opencl: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)",
                                      limit.count(), doing));
     }
-    if (mine->status < 0) throw cl::Error(mine->status, "the kernel");
+    if (signal->status < 0) throw cl::Error(signal->status, "the kernel");
 }
 
 }  // namespace mandelmarch::opencl
