@@ -13,7 +13,7 @@ set(tests_of_openacc bands)
 set(tests_of_cuda block_sizes)
 foreach(backend openacc cuda)
     if(TARGET mandelmarch_${backend})
-        set(others bits clock little_memory devices failures ${tests_of_${backend}})
+        set(others bits clock little_memory calls devices failures ${tests_of_${backend}})
         set(gpu ${CMAKE_CURRENT_BINARY_DIR}/simulated_gpu/${backend})
         mandelmarch_cases(${backend}.simulated ${backend}/simulated_test.sh WIDE driver ${others}
             ARGUMENTS ${bin} ${source} ${gpu} ${CMAKE_CXX_COMPILER} ${Python3_EXECUTABLE})

@@ -23,6 +23,10 @@ from table_file import put
 WIDTH, HEIGHT = 1920, 1080
 FRACTALS = {"mandelbulb": ("bulb", "paramsBulb.dat"), "mandelbox": ("box", "paramsBox.dat")}
 LANES = 32  # per warp
+# Divisions and square roots in gcc's PTX of which ptxas makes several instructions. An approximate square root becomes
+# an inverse root and a reciprocal.
+EXPANDED = ["div.rn.f32", "div.rn.f64", "sqrt.rn.f32", "sqrt.rn.f64"]
+APPROXIMATE = {"sqrt.approx.ftz.f32": 2}
 LOOPS_OF_THREADS = {"openacc": 1, "cuda": 0}  # loops over a thread's pixels; every kernel that gcc compiles has one
 
 
@@ -68,12 +72,14 @@ def code_sizes(cubin):
     return sizes
 
 
-def expansion(operation, suffix):
-    """Returns the number of instructions of a division or square root on sm_35. If ptxas inlines the operation, this is
+def expansion(operation):
+    """Returns the number of instructions of a division or square root on sm_35. `operation`: its PTX name. If ptxas inlines the operation, this is
     the number of instructions that each further operation adds to a kernel. If ptxas calls a function, it is the number
     that the first operation adds to a kernel."""
+    word, *_, suffix = operation.split(".")
+
     def kernel(times):
-        steps = "".join(f"{operation}.rn.{suffix} %a, {'%a, %b' if operation == 'div' else '%a'};\n" for _ in range(times))
+        steps = "".join(f"{operation} %a, {'%a, %b' if word == 'div' else '%a'};\n" for _ in range(times))
         text = (f".version 3.1\n.target sm_35\n.address_size 64\n.visible .entry k(.param .u64 p) {{\n.reg .u64 %p;\n"
                 f".reg .{suffix} %a, %b;\nld.param.u64 %p, [p];\nld.global.{suffix} %a, [%p];\nld.global.{suffix} %b, [%p+8];\n"
                 f"{steps}st.global.{suffix} [%p], %a;\nret;\n}}\n")
@@ -94,7 +100,7 @@ def marches(render, gpu):
             elif backend == "cuda":
                 continue  # nvcc compiles kernels only for newer GPUs
             else:
-                weights = {(o, s): expansion(o, s) for o in ("div", "sqrt") for s in ("f32", "f64")}
+                weights = APPROXIMATE | {name: expansion(name) for name in EXPANDED}
                 codes = {name: machine_code.ptx(body, weights) for name, body in k40.kernels(text)}
             for name, code in codes.items():
                 kind = re.search(r"march_(mandel\w+)_(float|double)_(exact|fast)(?:\$_omp_fn\$0)?$", name)
@@ -109,13 +115,13 @@ Counts = namedtuple("Counts", "total longest")
 
 @functools.cache
 def drawn(render, fractal, precision, mode):
-    """Returns steps and iterations of each pixel of the official scene."""
+    """Returns steps and iterations of each pixel of the official scene, as openacc's kernels take them on this machine."""
     import OpenEXR
     name, parameters = FRACTALS[fractal]
     with tempfile.TemporaryDirectory() as folder:
         picture = os.path.join(folder, "picture.exr")
         subprocess.run([render, "--fractal", name, parameters, "--size", f"{WIDTH}x{HEIGHT}", "--precision", precision, "--mode", mode,
-                        "--backend", "openmp", "--simd-width", "1", "--output", picture], check=True)
+                        "--backend", "openacc", "--output", picture], check=True)
         with OpenEXR.File(picture, separate_channels=True) as file:
             return tuple(file.channels()[channel].pixels.astype(int) for channel in ("steps", "iterations"))
 

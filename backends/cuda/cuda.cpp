@@ -50,7 +50,7 @@ public:
     job::Kernels kernels() const override { return {cuda::drawing, cuda::chains}; }
     std::vector<KernelResources> build(job::DrawKernel* launch) const override
     {
-        return cuda::loaded_by([&] { launch(nullptr, 0, 0); });
+        return cuda::loaded_by([&] { launch(nullptr, {}); });
     }
     int devices() const override { return driver().devices; }
 
@@ -99,7 +99,10 @@ public:
         draw();
     }
 
-    double seconds_of(const std::function<void()>& launch) const override { return job::seconds_on_gpu(launch); }
+    double seconds_of(const std::function<void()>& launch) const override
+    {
+        return job::seconds_on_gpu(launch, cuda::wait);
+    }
 
     std::optional<std::size_t> free_memory(int) const override
     {

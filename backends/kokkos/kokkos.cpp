@@ -67,7 +67,7 @@ public:
                             .driver = fmt::format("Kokkos {}.{}.{}, {}", version / 10000, version / 100 % 100,
                                                   version % 100, kokkos::Space::name()),
                             .is_gpu = false};
-        return {.device = device, .threads = kokkos::Space().concurrency()};
+        return {.device = device, .threads = kokkos::Space().concurrency(), .in_cells = true};
     }
 };
 

@@ -33,13 +33,36 @@ constexpr std::int64_t host_band = 1 << 13;
 constexpr int gpu_threads = 1 << 21;
 constexpr int host_threads = 1 << 7;
 
+int gpus()
+{
+    static const int count = acc_get_num_devices(gpu);
+    return count;
+}
+
+// The device that the calling thread uses. Devices 0 to n - 1 are the n GPUs; device n is the host.
+thread_local int used = -1;
+
+// Selects a device for the calling thread, unless it uses that device already: gcc's run-time library asks the driver
+// many questions then.
+void use(int device)
+{
+    if (used == device) return;
+    if (device < gpus()) {
+        acc_set_device_num(device, gpu);
+    } else {
+        // acc_set_device_type() must not be used here: it applies ACC_DEVICE_NUM to the host, too, and libgomp 14
+        // hangs if the host has no device of that number.
+        acc_set_device_num(0, acc_device_host);
+    }
+    used = device;
+}
+
 std::string text_of(int device, acc_device_property_t property)
 {
     const char* text = acc_get_property_string(device, gpu, property);
     return text != nullptr && *text != '\0' ? printable(text) : "unknown";
 }
 
-// Devices 0 to n - 1 are the n GPUs; device n is the host.
 class Openacc : public job::Model {
 public:
     std::string_view name() const override { return "openacc"; }
@@ -50,13 +73,12 @@ public:
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return {openacc::drawing, openacc::chains}; }
-    int devices() const override { return acc_get_num_devices(gpu) + 1; }
+    int devices() const override { return gpus() + 1; }
 
     job::OpenedDevice open(int index) const override
     {
-        const int gpus = acc_get_num_devices(gpu);
-        if (index < gpus) {
-            acc_set_device_num(index, gpu);  // the driver translates the kernels
+        if (index < gpus()) {
+            use(index);  // the driver translates the kernels
             const std::int64_t pixels = job::pixels_per_launch(index);
             return {.device = {.name = text_of(index, acc_property_name),
                                .vendor = text_of(index, acc_property_vendor),
@@ -67,8 +89,8 @@ public:
                     .refill_lanes = job::knows_threads(pixels),
                     .peak_threads = gpu_threads};
         }
-        const std::string name = fmt::format("host, one thread: {}",
-                                             gpus == 0 ? fmt::format("no {} GPU here", gpu_maker) : "instead of a GPU");
+        const std::string name = fmt::format(
+            "host, one thread: {}", gpus() == 0 ? fmt::format("no {} GPU here", gpu_maker) : "instead of a GPU");
         return {.device = {.name = name,
                            .vendor = "OpenACC run-time library",
                            .driver = "compiler " __VERSION__,
@@ -81,25 +103,19 @@ public:
 
     void run(const RendererOptions& options, const std::function<void()>& draw) const override
     {
-        if (options.device < acc_get_num_devices(gpu)) {
-            acc_set_device_num(options.device, gpu);
-        } else {
-            // acc_set_device_type() must not be used here: it applies ACC_DEVICE_NUM to the host, too, and libgomp 14
-            // hangs if the host has no device of that number.
-            acc_set_device_num(0, acc_device_host);
-        }
+        use(options.device);
         draw();
     }
 
     double seconds_of(const std::function<void()>& launch) const override
     {
-        const bool has_clock = gpu == acc_device_nvidia && acc_get_device_type() == gpu;
+        const bool has_clock = gpu == acc_device_nvidia && used < gpus();
         return has_clock ? job::seconds_on_gpu(launch) : Model::seconds_of(launch);
     }
 
     std::optional<std::size_t> free_memory(int index) const override
     {
-        if (index >= acc_get_num_devices(gpu)) return std::nullopt;
+        if (index >= gpus()) return std::nullopt;
         return acc_get_property(index, gpu, acc_property_free_memory);
     }
     void* allocate(std::size_t bytes) const override { return acc_malloc(bytes); }

@@ -167,7 +167,11 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
         throw Unavailable(
             fmt::format("backend opencl: {} divides inexactly and has no double to help, expected --mode fast", name));
     }
-    build.options += fmt::format(" -DMM_IN_DOUBLE={:d}", build.in_double);
+    // NVIDIA's native functions are single instructions with errors of a few units in the last place. OpenCL itself
+    // sets no limit to their errors, so other GPUs do not use them.
+    const bool is_nvidia = trimmed(device.getInfo<CL_DEVICE_VENDOR>()).starts_with("NVIDIA");
+    const bool native_words = is_nvidia && !is_cpu && is_float && !exact && build.lanes == 1;
+    build.options += fmt::format(" -DMM_IN_DOUBLE={:d} -DMM_NATIVE={:d}", build.in_double, native_words);
     return build;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
 #include "backends/opencl/device.h"
 #include "backends/opencl/session.h"
@@ -14,7 +15,7 @@
 
 namespace mandelmarch::opencl {
 
-// Height of a strip in pixels; must equal MM_STRIP in strip.cl.
+// Height of a strip in cells of a lattice; must equal MM_STRIP in strip.cl.
 inline constexpr int strip_height = 16;
 
 // Renders bands with the session's buffers.
@@ -22,13 +23,14 @@ template <class Real>
 class BandExecutor : public Executor {
 public:
     BandExecutor(Session& session, cl::Program& program, const Build& build, const Scene& scene,
-                 const RendererOptions& options, std::int64_t pixels, bool bytes_alone)
+                 const RendererOptions& options, const Limits& limits, bool bytes_alone)
         : session_(session),
           kernel_(program, "draw_band"),
           lanes_(build.lanes),
           block_(options.block_size),
           width_(scene.width),
-          pixels_(static_cast<std::size_t>(pixels)),
+          pixels_(Image::pixels(scene.width, rows_per_band(scene, limits))),
+          cone_side_(limits.starts.tile_side()),
           bytes_alone_(bytes_alone),
           scene_(kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques))
     {
@@ -40,18 +42,30 @@ public:
         reals_ = session.reals.of_size(session.context, flags, reals_size(planes));
         wholes_ = session.wholes.of_size(session.context, flags, wholes_size(planes));
         bytes_ = session.bytes.of_size(session.context, flags, bytes_alone ? 3 * pixels_ : 1);
+        const std::size_t tiles = cone_side_ > 0 ? tiles_of(rows_per_band(scene, limits)) : 1;
+        starts_ = session.starts.of_size(session.context, flags, tiles * sizeof(Real));
+        cone_work_ = session.cone_work.of_size(session.context, flags, 2 * tiles * sizeof(int));
+        const std::size_t depths = limits.starts.lattices.count > 1 ? pixels_ / 2 + 1 : 1;
+        depths_ = session.depths.of_size(session.context, flags, depths * sizeof(Real));
+        if (cone_side_ > 0) cones_ = cl::Kernel(program, "march_cones");
         session.queue.enqueueWriteBuffer(constants_, CL_TRUE, 0, sizeof(scene_), &scene_);
         timings.upload = seconds_since(start);
     }
 
     // Launches the kernel on the largest band but with no rows to render, because some drivers compile a kernel at its
     // first launch.
-    void warm_up() { launch({0, 0}, static_cast<int>(pixels_) / width_, "compiling"); }
+    void warm_up()
+    {
+        const int rows = static_cast<int>(pixels_) / width_;
+        if (cone_side_ > 0) march_cones({0, 0}, rows, "compiling");
+        launch({0, 0}, rows, "compiling");
+    }
 
-    void run(Entry, const Band& band, int) override
+    void run(Entry entry, const Band& band, int) override
     {
         const Clock::time_point start = Clock::now();
-        const cl::Event done = launch(band, band.rows, "drawing");
+        const cl::Event done =
+            entry == Entry::cones ? march_cones(band, band.rows, "marching cones") : launch(band, band.rows, "drawing");
         timings.ran(seconds_since(start), device_seconds(done));
     }
 
@@ -84,6 +98,7 @@ public:
             session_.queue.enqueueReadBuffer(wholes_, CL_TRUE, 0, wholes_size(pixels_), wholes);
             store(static_cast<const Real*>(reals), static_cast<const int*>(wholes), band, image);
         }
+        if (!bytes_alone_ && cone_side_ > 0) count_cones(band);
         timings.readback += seconds_since(start);
     }
 
@@ -94,16 +109,46 @@ private:
     static std::size_t reals_size(std::size_t pixels) { return real_planes * sizeof(Real) * pixels; }
     static std::size_t wholes_size(std::size_t pixels) { return whole_planes * sizeof(int) * pixels; }
 
-    // Launches the kernel and waits for its end.
+    // Returns the number of tiles with cones in `rows` rows.
+    std::size_t tiles_of(int rows) const
+    {
+        return static_cast<std::size_t>(tiles_along(width_, cone_side_)) *
+               static_cast<std::size_t>(tiles_along(rows, cone_side_));
+    }
+
+    void count_cones(const Band& band)
+    {
+        std::vector<int> spent(2 * tiles_of(band.rows));
+        session_.queue.enqueueReadBuffer(cone_work_, CL_TRUE, 0, sizeof(int) * spent.size(), spent.data());
+        add_cone_work(work, spent);
+    }
+
+    // Launches the kernel of cones and waits for its end. A work item marches the cones of one vector.
+    cl::Event march_cones(const Band& band, int rows_covered, const char* doing)
+    {
+        const auto lanes = static_cast<std::size_t>(lanes_);
+        cones_.setArg(0, constants_);
+        cones_.setArg(1, band.first_row);
+        cones_.setArg(2, band.rows);
+        cones_.setArg(3, cone_side_);
+        cones_.setArg(4, starts_);
+        cones_.setArg(5, cone_work_);
+        return launched(cones_, cl::NDRange((tiles_of(rows_covered) + lanes - 1) / lanes), cl::NullRange, doing);
+    }
+
+    // Launches the kernel of pixels and waits for its end.
     cl::Event launch(const Band& band, int rows_covered, const char* doing)
     {
-        // With vectors, a work item renders a strip of pixels (strip.cl). On a CPU each work group has one such item,
+        // With vectors, a work item renders a strip of cells (strip.cl). On a CPU each work group has one such item,
         // because a core takes one group after another. Without vectors, a work group renders a square of
         // pixels.
         const int side_of_group = !session_.is_cpu ? 8 : lanes_ > 1 ? 1 : tile_side;
         const int group_width = block_ > 0 ? 8 : side_of_group;
         const int group_height = block_ > 0 ? block_ / group_width : side_of_group;
-        const int item_width = lanes_ > 1 ? strip_width() : 1;
+        const int cell = cell_side(band.lattice);
+        const int columns = tiles_along(width_, cell);
+        const int lines = tiles_along(rows_covered, cell);
+        const int item_width = lanes_ > 1 ? strip_width(std::int64_t{columns} * lines) : 1;
         const int item_height = lanes_ > 1 ? strip_height : 1;
         const auto items = [](int pixels, int of_item, int of_group) {
             const int count = (pixels + of_item * of_group - 1) / (of_item * of_group);
@@ -118,27 +163,36 @@ private:
         kernel_.setArg(6, bytes_);
         kernel_.setArg(7, bytes_alone_ ? 1 : 0);
         kernel_.setArg(8, item_width);
+        kernel_.setArg(9, starts_);
+        kernel_.setArg(10, cone_side_);
+        kernel_.setArg(11, depths_);
+        kernel_.setArg(12, band.lattice.before);
+        kernel_.setArg(13, band.lattice.apart);
+        return launched(
+            kernel_, cl::NDRange(items(columns, item_width, group_width), items(lines, item_height, group_height)),
+            cl::NDRange(static_cast<std::size_t>(group_width), static_cast<std::size_t>(group_height)), doing);
+    }
+
+    cl::Event launched(const cl::Kernel& kernel, const cl::NDRange& all, const cl::NDRange& group, const char* doing)
+    {
         cl::Event done;
-        session_.queue.enqueueNDRangeKernel(
-            kernel_, cl::NullRange,
-            cl::NDRange(items(width_, item_width, group_width), items(rows_covered, item_height, group_height)),
-            cl::NDRange(static_cast<std::size_t>(group_width), static_cast<std::size_t>(group_height)), nullptr, &done);
+        session_.queue.enqueueNDRangeKernel(kernel, cl::NullRange, all, group, nullptr, &done);
         session_.queue.flush();
         wait_for(done, doing);
         return done;
     }
 
-    // Returns the width of a strip in pixels. While the last rays of a strip march, most lanes are idle, which costs
+    // Returns the width of a strip in cells. While the last rays of a strip march, most lanes are idle, which costs
     // less per pixel in a wide strip. The width gives about 32 strips per compute unit, so that few cores are idle
     // while the last strips are rendered.
-    int strip_width() const
+    int strip_width(std::int64_t cells) const
     {
         constexpr std::int64_t strips_of_unit = 32;
         constexpr std::int64_t least = 32;  // a multiple of every block's width
         constexpr std::int64_t most = 256;
         const auto strips = strips_of_unit * session_.device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-        const std::int64_t pixels = static_cast<std::int64_t>(pixels_) / (strips * strip_height);
-        return static_cast<int>(std::clamp(pixels / least * least, least, most));
+        const std::int64_t width = cells / (strips * strip_height);
+        return static_cast<int>(std::clamp(width / least * least, least, most));
     }
 
     // Maps a buffer of a CPU device and returns its address. This makes no copy, because the buffer lies in host
@@ -157,16 +211,21 @@ private:
 
     Session& session_;
     cl::Kernel kernel_;
+    cl::Kernel cones_;
     int lanes_;
     int block_;  // RendererOptions::block_size
     int width_;
     std::size_t pixels_;  // per plane of the buffers
+    int cone_side_;       // side of the tiles with cones; 0: there are none
     bool bytes_alone_;
     KernelScene<Real> scene_;
     cl::Buffer constants_;
     cl::Buffer reals_;
     cl::Buffer wholes_;
     cl::Buffer bytes_;
+    cl::Buffer starts_;
+    cl::Buffer cone_work_;
+    cl::Buffer depths_;
 };
 
 }  // namespace mandelmarch::opencl

@@ -32,34 +32,92 @@ FN void put(Target target, long at, scalar red, scalar green, scalar blue, scala
     target.wholes[2 * target.pixels + at] = iterations;
 }
 
+// Access to a vector as a whole and by lane.
+union Reals {
+    real all;
+    scalar of[MM_LANES];
+};
+
+union Wholes {
+    whole all;
+    scalar_whole of[MM_LANES];
+};
+
+FN int tiles_along(int pixels, int side) { return (pixels + side - 1) / side; }
+
+// Where the rays of a band's lattice begin (core/render/lattice.h).
+struct Starts {
+    __global const scalar* tiles;  // by tile: the t at which its cone has ended
+    int side;                      // of the tiles, in pixels; 0: there are no cones
+    __global scalar* depths;       // that pixels in even columns and rows pass on, at half the pixel's index
+    int before;                    // the lattice
+    int apart;
+};
+
+// Returns the t at which the cone of a pixel's tile has ended; 0: there are no cones. y: the row in the band.
+FN scalar tile_start(Starts starts, int x, int y, int width)
+{
+    return starts.side == 0 ? 0 : starts.tiles[y / starts.side * tiles_along(width, starts.side) + x / starts.side];
+}
+
 #if MM_LANES > 1
 #include "backends/opencl/strip.cl"
-#ifdef MM_REFILL_LANES
 #include "backends/opencl/refill.cl"
 #endif
+
+// Marches the cones of a band's tiles. A work item marches those of MM_LANES tiles, counted row by row. Stores the t at
+// which their rays begin, and their DE evaluations and iterations.
+#if !MM_EXACT
+__kernel void march_cones(__constant Scene* scene, int first_row, int rows, int side, __global scalar* starts,
+                          __global int* work)
+{
+    int columns = tiles_along(scene->width, side);
+    int tiles = columns * tiles_along(rows, side);
+    int first = (int)get_global_id(0) * MM_LANES;
+    union Reals i;
+    union Reals j;
+    for (int lane = 0; lane < MM_LANES; ++lane) {
+        int tile = min(first + lane, tiles - 1);
+        i.of[lane] = (scalar)(tile % columns * side);
+        j.of[lane] = (scalar)(first_row + tile / columns * side);
+    }
+    Ray cone = march_cone(*scene, begin_cone(*scene, i.all, j.all, side), cone_width(*scene, side));
+    union Reals start = {cone_end(*scene, cone)};
+    union Wholes de_calls = {cone.de_calls};
+    union Wholes iterations = {cone.iterations};
+    for (int lane = 0; lane < min(MM_LANES, tiles - first); ++lane) {
+        starts[first + lane] = start.of[lane];
+        work[2 * (first + lane)] = (int)de_calls.of[lane];
+        work[2 * (first + lane) + 1] = (int)iterations.of[lane];
+    }
+}
 #endif
 
-// Renders rows [first_row, first_row + rows) of the picture. With vectors, a work item renders a strip of
-// `width` x MM_STRIP pixels; `width` is a multiple of MM_WIDTH.
+// Renders the pixels of a lattice in rows [first_row, first_row + rows) of the picture. With vectors, a work item
+// renders a strip of `width` x MM_STRIP cells of the lattice; `width` is a multiple of MM_WIDTH. Without, the lattice
+// is {0, 1}.
 __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long pixels, __global scalar* reals,
-                        __global int* wholes, __global uchar* bytes, int bytes_alone, int width)
+                        __global int* wholes, __global uchar* bytes, int bytes_alone, int width,
+                        __global const scalar* tiles, int side, __global scalar* depths, int before, int apart)
 {
     Target target = {reals, wholes, bytes, pixels, bytes_alone};
+    Starts starts = {tiles, side, depths, before, apart};
     int x = (int)get_global_id(0);
     int y = (int)get_global_id(1);
 #if MM_LANES == 1
     if (x >= scene->width || y >= rows) return;
-    Pixel pixel = draw(*scene, x, first_row + y);
+    Ray ray = begin(*scene, x, first_row + y);
+    ray.t = larger(tile_start(starts, x, y, scene->width), ray.t);
+    Pixel pixel = drawn(*scene, march(*scene, ray, scene->max_steps));
     put(target, (long)y * scene->width + x, pixel.colour.x, pixel.colour.y, pixel.colour.z, pixel.depth, pixel.steps,
         pixel.de_calls, pixel.iterations);
 #else
-    Strip strip = {x * width, min(x * width + width, scene->width), y * MM_STRIP, min(y * MM_STRIP + MM_STRIP, rows),
-                   first_row};
+    int cell = before > 0 ? before : apart;
+    int columns = tiles_along(scene->width, cell);
+    int lines = tiles_along(rows, cell);
+    Strip strip = {x * width, min(x * width + width, columns), y * MM_STRIP, min(y * MM_STRIP + MM_STRIP, lines),
+                   first_row, rows};
     if (strip.left >= strip.right || strip.bottom >= strip.top) return;
-#ifdef MM_REFILL_LANES
-    draw_refilling(scene, strip, target);
-#else
-    draw_by_blocks(scene, strip, target);
-#endif
+    draw_refilling(scene, strip, starts, target);
 #endif
 }

@@ -8,6 +8,7 @@
 #include "core/base/environment.h"
 #include "core/base/files.h"
 #include "core/render/peak.h"
+#include "core/render/spacing.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
@@ -54,13 +55,13 @@ private:
         cl::Program& program = compiled(scene.fractal->name);
         // All planes of reals of a band are in one buffer, whose size the device limits.
         const std::int64_t most = session_->largest_buffer / static_cast<std::int64_t>(real_planes * sizeof(Real));
-        const Limits limits =
-            with_band({.pixels_per_band = std::min(most, largest_band),
-                       .pixels_to_fill = session_->is_cpu ? busy_cpu : pixels_of_gpu(items_of_unit * units())},
-                      options_.band);
-        const std::int64_t pixels = std::int64_t{rows_per_band(scene, limits)} * scene.width;
+        Limits limits = with_band(
+            {.pixels_per_band = std::min(most, largest_band),
+             .pixels_to_fill = session_->is_cpu ? busy_cpu(scene.iterations) : pixels_of_gpu(items_of_unit * units())},
+            options_.band);
+        limits.starts = starts_for<Real>(scene);
         // The executor is allocated on the heap, so that it can be abandoned while a device that hangs still uses it.
-        auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, pixels,
+        auto executor = std::make_unique<BandExecutor<Real>>(*session_, program, build_, scene, options_, limits,
                                                              bytes_alone(image, options_));
         double build_seconds = 0;
         try {
@@ -88,6 +89,16 @@ private:
         return report;
     }
 
+    // Returns the passes that find where rays begin. Vectors refill their lanes, so that the steps saved by neighbours
+    // save time; on a GPU, a warp waits for its slowest ray.
+    template <class Real>
+    Starts starts_for(const Scene& scene) const
+    {
+        const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
+        return starts_of(kernel, *scene.fractal, options_.techniques,
+                         session_->is_cpu ? subtile_side : subtile_side / 2, 0, session_->is_cpu && build_.lanes > 1);
+    }
+
     cl_uint units() const { return session_->device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>(); }
 
     cl::Program& compiled(std::string_view fractal)
@@ -108,7 +119,13 @@ private:
         return session_->programs.emplace(fractal, std::move(program)).first->second;
     }
 
-    static constexpr std::int64_t busy_cpu = 1 << 17;  // pixels
+    // Returns the pixels of a band of a CPU. Bands are large, because at the end of each one vectors run out of rays.
+    // With many iterations a pixel they are smaller, because a picture can be cancelled only between bands.
+    static std::int64_t busy_cpu(int iterations)
+    {
+        constexpr std::int64_t iterations_of_band = 1 << 26;
+        return std::clamp<std::int64_t>(iterations_of_band / iterations, 1 << 17, 1 << 21);
+    }
     // OpenCL does not report how many work items a compute unit holds; 2048 is the value of many NVIDIA GPUs.
     static constexpr std::int64_t items_of_unit = 2048;
 

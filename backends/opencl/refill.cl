@@ -1,8 +1,7 @@
-// SPDX-License-Identifier: Apache-2.0
-// Renders a strip of pixels with refill: a lane whose ray has ended takes the strip's next ray (persistent threads:
-// Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Used for fractals whose lanes
-// would otherwise wait long for the slowest ray of a vector. Ended rays are collected until they fill a vector, which
-// is then shaded. A pixel's result does not depend on the lane that computes it.
+// SPDX-License-Identifier: Apache-2.0 Renders a strip of pixels with refill: a lane whose ray has ended takes the
+// strip's next ray (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG
+// 2009). Hits are collected until they fill a vector, which is then shaded. A pixel's result does not depend on the
+// lane that computes it.
 
 // While the strip has rays left, idle lanes are refilled as soon as fewer than MM_BUSY lanes are marching.
 #define MM_BUSY (MM_LANES - MM_LANES / 8)
@@ -22,14 +21,15 @@ FN int lowest_of(uint bits) { return (int)popcount((bits & -bits) - 1); }
 struct Queue {
     int x;
     int y;
+    int place;
     uint waiting;  // bit n: no lane has taken the block's ray n yet
     int at[MM_LANES];
-    union Reals reals[5];  // direction, end, t
+    union Reals reals[6];  // direction, end, t, last_t
 };
 
-// The rays in the lanes: one vector for each field of a Ray.
+// The rays in the lanes: one vector for each field of a Ray, and the room of a LatticeRay.
 struct Lanes {
-    union Reals reals[9];
+    union Reals reals[10];
     union Wholes wholes[3];
     int at[MM_LANES];  // indices of the rays' pixels in a plane
     uint taken;        // bit n: lane n has a ray
@@ -43,20 +43,89 @@ struct Ended {
     int size;
 };
 
-FN void begin_block(__constant Scene* scene, Strip strip, Queue* queue)
+// The t at which the rays of a block's pixels begin.
+struct BlockStarts {
+    union Reals from_cones;
+    union Reals least;     // min of the depths of the neighbours, for neighbour_start()
+    union Reals greatest;  // max of these depths
+};
+
+// Returns the depth that the pixel (x, y) of the band has passed on; unclear_miss() outside the band.
+FN scalar neighbour_depth(Starts starts, int x, int y, int width, int rows)
 {
-    Block block = block_at(strip, queue->x, queue->y, scene->width);
-    queue->waiting = 0;
+    return x < width && y < rows ? starts.depths[(y * width + x) / 2] : 0;
+}
+
+FN BlockStarts block_starts(Starts starts, Block block, int place, int width, int rows)
+{
+    int side = starts.before;
+    BlockStarts found;
+    for (int lane = 0; lane < MM_LANES; ++lane) {
+        bool inside = block.at[lane] >= 0;
+        found.from_cones.of[lane] = inside ? tile_start(starts, block.x[lane], block.y[lane], width) : 0;
+        found.least.of[lane] = 0;
+        found.greatest.of[lane] = 0;
+        if (side == 0 || !inside) continue;
+        int x = block.x[lane] - place % 2 * starts.apart;
+        int y = block.y[lane] - place / 2 * starts.apart;
+        scalar a = neighbour_depth(starts, x, y, width, rows);
+        scalar b = neighbour_depth(starts, x + side, y, width, rows);
+        scalar c = neighbour_depth(starts, x, y + side, width, rows);
+        scalar d = neighbour_depth(starts, x + side, y + side, width, rows);
+        found.least.of[lane] = fmin(fmin(a, b), fmin(c, d));
+        found.greatest.of[lane] = fmax(fmax(a, b), fmax(c, d));
+    }
+    return found;
+}
+
+// Stores the depths that the rays in the lanes `some` pass on, if the lattice has later ones.
+FN void pass_on(Starts starts, const int* at, uint some, real passed)
+{
+    union Reals depths = {passed};
+    if (starts.apart == 1) return;
+    for (; some != 0; some &= some - 1) {
+        int lane = lowest_of(some);
+        starts.depths[at[lane] / 2] = depths.of[lane];
+    }
+}
+
+// Begins the rays of the queue's next block. Rays that miss the hull, or that cannot hit by their starts, are finished
+// at once.
+FN void begin_block(__constant Scene* scene, Strip strip, Starts starts, Target target, Queue* queue)
+{
+    Block block = block_at(strip, starts, queue->x, queue->y, queue->place, scene->width);
+    BlockStarts found = block_starts(starts, block, queue->place, scene->width, strip.rows);
+    union Reals i;
+    union Reals j;
+    uint inside = 0;
+    for (int lane = 0; lane < MM_LANES; ++lane) {
+        i.of[lane] = (scalar)block.x[lane];
+        j.of[lane] = (scalar)(strip.first_row + block.y[lane]);
+        if (block.at[lane] >= 0) inside |= 1u << lane;
+    }
+    LatticeRay begun = begin_lattice(*scene, begin(*scene, i.all, j.all), found.from_cones.all,
+                                     neighbour_start(*scene, found.least.all, found.greatest.all));
+    uint marches = inside & bits_of(marching(*scene, begun.ray));
+    queue->waiting = marches;
     for (int lane = 0; lane < MM_LANES; ++lane) {
         queue->at[lane] = block.at[lane];
-        if (block.at[lane] >= 0) queue->waiting |= 1u << lane;
+        if ((marches >> lane & 1) != 0) block.at[lane] = -1;
     }
-    Ray ray = begin(*scene, block.i.all, block.j.all);
-    queue->reals[0].all = ray.direction.x;
-    queue->reals[1].all = ray.direction.y;
-    queue->reals[2].all = ray.direction.z;
-    queue->reals[3].all = ray.end;
-    queue->reals[4].all = ray.t;
+    if (marches != inside) {
+        put_lanes(target, block.at, MM_LANES, missed(*scene, stopped(*scene, begun.ray)));
+        pass_on(starts, block.at, inside & ~marches, depth_passed_on(*scene, begun));
+    }
+    queue->reals[0].all = begun.ray.direction.x;
+    queue->reals[1].all = begun.ray.direction.y;
+    queue->reals[2].all = begun.ray.direction.z;
+    queue->reals[3].all = begun.ray.end;
+    queue->reals[4].all = begun.ray.t;
+    queue->reals[5].all = begun.ray.last_t;
+    if (starts.before > 0 && queue->place < 3) {
+        queue->place += 1;
+        return;
+    }
+    queue->place = starts.before > 0 ? 1 : 0;
     queue->y += MM_HEIGHT;
     if (queue->y >= strip.top) {
         queue->y = strip.bottom;
@@ -67,25 +136,27 @@ FN void begin_block(__constant Scene* scene, Strip strip, Queue* queue)
 FN bool rays_wait(Strip strip, const Queue* queue) { return queue->waiting != 0 || queue->x < strip.right; }
 
 // Starts a ray of the strip in each free lane, while the strip has rays left. Sets the same values as begin_along().
-FN void take(__constant Scene* scene, Strip strip, Queue* queue, Lanes* lanes, uint free)
+FN void take(__constant Scene* scene, Strip strip, Starts starts, Target target, Queue* queue, Lanes* lanes,
+             uint free)
 {
     for (; free != 0 && rays_wait(strip, queue); free &= free - 1) {
         int lane = lowest_of(free);
-        if (queue->waiting == 0) begin_block(scene, strip, queue);
+        while (queue->waiting == 0 && rays_wait(strip, queue)) begin_block(scene, strip, starts, target, queue);
+        if (queue->waiting == 0) return;
         int from = lowest_of(queue->waiting);
         queue->waiting &= queue->waiting - 1;
-        for (int field = 0; field < 5; ++field) lanes->reals[field].of[lane] = queue->reals[field].of[from];
-        lanes->reals[5].of[lane] = 0;
+        for (int field = 0; field < 6; ++field) lanes->reals[field].of[lane] = queue->reals[field].of[from];
         lanes->reals[6].of[lane] = scene->end;
         lanes->reals[7].of[lane] = 0;
         lanes->reals[8].of[lane] = scene->end;
+        lanes->reals[9].of[lane] = scene->end;
         for (int field = 0; field < 3; ++field) lanes->wholes[field].of[lane] = 0;
         lanes->at[lane] = queue->at[from];
         lanes->taken |= 1u << lane;
     }
 }
 
-FN Ray ray_of(const Lanes* lanes)
+FN LatticeRay ray_of(const Lanes* lanes)
 {
     Ray ray;
     ray.direction = vec3(lanes->reals[0].all, lanes->reals[1].all, lanes->reals[2].all);
@@ -98,11 +169,16 @@ FN Ray ray_of(const Lanes* lanes)
     ray.steps = lanes->wholes[0].all;
     ray.de_calls = lanes->wholes[1].all;
     ray.iterations = lanes->wholes[2].all;
-    return ray;
+    LatticeRay a;
+    a.ray = ray;
+    a.start = 0;
+    a.room = lanes->reals[9].all;
+    return a;
 }
 
-FN void keep(Lanes* lanes, Ray ray)
+FN void keep(Lanes* lanes, LatticeRay a)
 {
+    Ray ray = a.ray;
     lanes->reals[4].all = ray.t;
     lanes->reals[5].all = ray.last_t;
     lanes->reals[6].all = ray.last_distance;
@@ -111,20 +187,26 @@ FN void keep(Lanes* lanes, Ray ray)
     lanes->wholes[0].all = ray.steps;
     lanes->wholes[1].all = ray.de_calls;
     lanes->wholes[2].all = ray.iterations;
+    lanes->reals[9].all = a.room;
 }
 
-// Appends the ended rays of the `done` lanes: hits to the first list, misses to the second.
-FN void leave(const Lanes* lanes, uint done, Hit hit, Ended* ended)
+// Finishes the pixels of the lanes `done` whose rays have missed. Appends the hits of the others to the list.
+FN void leave(__constant Scene* scene, const Lanes* lanes, uint done, Hit hit, Target target, Ended* ended)
 {
+    uint hits = done & bits_of(is_hit(hit));
+    if (hits != done) {
+        int at[MM_LANES];
+        for (int lane = 0; lane < MM_LANES; ++lane) at[lane] = ((done & ~hits) >> lane & 1) != 0 ? lanes->at[lane] : -1;
+        put_lanes(target, at, MM_LANES, missed(*scene, hit));
+    }
     union Reals reals[9] = {{hit.direction.x}, {hit.direction.y}, {hit.direction.z}, {hit.state},  {hit.t},
                             {hit.below_t},     {hit.below_f},     {hit.above_t},     {hit.above_f}};
-    for (; done != 0; done &= done - 1) {
-        int lane = lowest_of(done);
-        Ended* list = ended + (reals[3].of[lane] > 0 ? 0 : 1);
-        int place = list->size++;
-        for (int field = 0; field < 9; ++field) list->reals[field][place] = reals[field].of[lane];
-        for (int field = 0; field < 3; ++field) list->wholes[field][place] = lanes->wholes[field].of[lane];
-        list->at[place] = lanes->at[lane];
+    for (; hits != 0; hits &= hits - 1) {
+        int lane = lowest_of(hits);
+        int place = ended->size++;
+        for (int field = 0; field < 9; ++field) ended->reals[field][place] = reals[field].of[lane];
+        for (int field = 0; field < 3; ++field) ended->wholes[field][place] = lanes->wholes[field].of[lane];
+        ended->at[place] = lanes->at[lane];
     }
 }
 
@@ -160,42 +242,53 @@ FN void shade_last(__constant Scene* scene, Ended* ended, Target target)
     put_lanes(target, ended->at + first, size, shade(*scene, hit));
 }
 
-FN void draw_refilling(__constant Scene* scene, Strip strip, Target target)
+// Takes steps with the rays in the lanes while at least `fewest` of them march. Returns the bits of those that still
+// do.
+FN uint march_lanes(__constant Scene* scene, Starts starts, int fewest, LatticeRay* a)
+{
+    mask on = marching(*scene, a->ray);
+    uint marches = bits_of(on);
+    while ((int)popcount(marches) >= fewest) {
+#if MM_EXACT
+        a->ray = advance(*scene, a->ray, on);
+#else
+        *a = advance_lattice(*scene, *a, starts.before, starts.apart, on);
+#endif
+        on = marching(*scene, a->ray);
+        marches = bits_of(on);
+    }
+    return marches;
+}
+
+FN void draw_refilling(__constant Scene* scene, Strip strip, Starts starts, Target target)
 {
     Queue queue;
     queue.x = strip.left;
     queue.y = strip.bottom;
+    queue.place = starts.before > 0 ? 1 : 0;
     queue.waiting = 0;
-    Ended ended[2];
-    ended[0].size = 0;
-    ended[1].size = 0;
+    Ended ended;
+    ended.size = 0;
     Lanes lanes;
     lanes.taken = 0;
     // Lanes that never receive a ray hold zeros, for which marching() returns false.
-    for (int field = 0; field < 9; ++field) lanes.reals[field].all = 0;
+    for (int field = 0; field < 10; ++field) lanes.reals[field].all = 0;
     for (int field = 0; field < 3; ++field) lanes.wholes[field].all = 0;
     const uint all = (uint)((1ul << MM_LANES) - 1);
     uint free = all;
     do {
-        take(scene, strip, &queue, &lanes, free);
-        Ray ray = ray_of(&lanes);
-        int fewest = rays_wait(strip, &queue) ? MM_BUSY : 1;
-        mask on = marching(*scene, ray);
-        uint marches = bits_of(on);
-        while ((int)popcount(marches) >= fewest) {
-            ray = advance(*scene, ray, on);
-            on = marching(*scene, ray);
-            marches = bits_of(on);
-        }
-        keep(&lanes, ray);
+        take(scene, strip, starts, target, &queue, &lanes, free);
+        LatticeRay a = ray_of(&lanes);
+        uint marches = march_lanes(scene, starts, rays_wait(strip, &queue) ? MM_BUSY : 1, &a);
+        keep(&lanes, a);
         free = all & ~marches;
-        leave(&lanes, free & lanes.taken, stopped(*scene, ray), ended);
+        uint done = free & lanes.taken;
+        leave(scene, &lanes, done, stopped(*scene, a.ray), target, &ended);
+        pass_on(starts, lanes.at, done, depth_passed_on(*scene, a));
         lanes.taken &= marches;
-        // This is the only call that shades. It serves both lists and, at the end of the strip, their last rays, so
-        // that shading is compiled only once.
+        // This is the only call that shades. It also serves the last rays of the strip, so that shading is compiled
+        // only once.
         int enough = lanes.taken == 0 && !rays_wait(strip, &queue) ? 1 : MM_LANES;
-        for (int list = 0; list < 2; ++list) {
-            while (ended[list].size >= enough) shade_last(scene, ended + list, target);
-        }
+        while (ended.size >= enough) shade_last(scene, &ended, target);
     } while (lanes.taken != 0 || rays_wait(strip, &queue));
 }

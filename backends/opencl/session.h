@@ -75,6 +75,9 @@ struct Session {
     GrowingBuffer reals;
     GrowingBuffer wholes;
     GrowingBuffer bytes;
+    GrowingBuffer starts;
+    GrowingBuffer cone_work;
+    GrowingBuffer depths;
     Staging host_reals;
     Staging host_wholes;
     bool is_cpu = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders a strip of pixels in vectors, block by block.
+// Strips of a lattice's cells, and the blocks of pixels that fill a vector.
 
-// MM_STRIP is the height of a strip, in pixels. MM_WIDTH and MM_HEIGHT are the sides of a block of MM_LANES pixels,
-// which is as square as possible.
+// MM_STRIP is the height of a strip, in cells. MM_WIDTH and MM_HEIGHT are the sides of a block of MM_LANES cells, which
+// is as square as possible.
 #define MM_STRIP 16
 #if MM_LANES == 32
 #define MM_WIDTH 8
@@ -13,24 +13,15 @@
 #endif
 #define MM_HEIGHT (MM_LANES / MM_WIDTH)
 
-// A range of pixels in a band. Rows are counted from the band's lowest row, which is the picture's row `first_row`.
+// A range of a lattice's cells in a band of `rows` rows of pixels. The band's lowest row is the picture's row
+// `first_row`.
 struct Strip {
     int left;
     int right;
     int bottom;
     int top;
     int first_row;
-};
-
-// Access to a vector as a whole and by lane.
-union Reals {
-    real all;
-    scalar of[MM_LANES];
-};
-
-union Wholes {
-    whole all;
-    scalar_whole of[MM_LANES];
+    int rows;
 };
 
 // Stores the pixels of the first `size` lanes. `at` contains each pixel's index in a plane; -1: not stored.
@@ -50,33 +41,27 @@ FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
     }
 }
 
-// A block of pixels, at least one of which is in the strip. i and j are the pixels' columns and rows in the picture.
-// `at` has their indices in a plane, and -1 for pixels outside the strip.
+// A pixel of each cell of a block, at least one of which is in the strip. x and y are the pixels' columns and rows in
+// the band. `at` has their indices in a plane, and -1 for pixels outside the strip or the band.
 struct Block {
-    union Reals i;
-    union Reals j;
+    int x[MM_LANES];
+    int y[MM_LANES];
     int at[MM_LANES];
 };
 
-FN Block block_at(Strip strip, int x, int y, int width)
+// Returns the pixels at a place of the cells from (x, y) on. A first lattice has the place 0 only, later ones have 1 to
+// 3: to the right of the cell's lower left pixel, above it, and above and to the right.
+FN Block block_at(Strip strip, Starts starts, int x, int y, int place, int width)
 {
+    int side = starts.before > 0 ? starts.before : starts.apart;
     Block block;
     for (int lane = 0; lane < MM_LANES; ++lane) {
         int column = x + lane % MM_WIDTH;
         int row = y + lane / MM_WIDTH;
-        block.i.of[lane] = (scalar)min(column, strip.right - 1);
-        block.j.of[lane] = (scalar)(strip.first_row + min(row, strip.top - 1));
-        block.at[lane] = column < strip.right && row < strip.top ? row * width + column : -1;
+        block.x[lane] = column * side + place % 2 * starts.apart;
+        block.y[lane] = row * side + place / 2 * starts.apart;
+        bool inside = column < strip.right && row < strip.top && block.x[lane] < width && block.y[lane] < strip.rows;
+        block.at[lane] = inside ? block.y[lane] * width + block.x[lane] : -1;
     }
     return block;
-}
-
-FN void draw_by_blocks(__constant Scene* scene, Strip strip, Target target)
-{
-    for (int x = strip.left; x < strip.right; x += MM_WIDTH) {
-        for (int y = strip.bottom; y < strip.top; y += MM_HEIGHT) {
-            Block block = block_at(strip, x, y, scene->width);
-            put_lanes(target, block.at, MM_LANES, draw(*scene, block.i.all, block.j.all));
-        }
-    }
 }

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "backends/openmp/spacing.h"
 #include "backends/openmp/variant.h"
 #include "core/image/image.h"
 #include "core/render/backend.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
+#include "core/render/spacing.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::openmp {
@@ -49,6 +49,16 @@ struct Target {
     int* wholes = nullptr;
 };
 
+// Returns true if pixels may share occlusion with adjacent pixels. Requires that normals ignore details smaller than a
+// tolerance, and that adjacent pixels are closer together than the shortest distance at which openness is evaluated
+// (core/kernel/looks.h).
+template <class KernelScene>
+bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Techniques& techniques)
+{
+    constexpr double nearest_openness = 0.004;  // as a fraction of the distance from the camera
+    return techniques.shared_occlusion && scene.smooth && scene.colouring > 1 && kernel.spacing < nearest_openness;
+}
+
 template <class Real>
 class Picture {
 public:
@@ -56,11 +66,9 @@ public:
             LatticeBuffers<Real>& notes)
         : scene_(mandelmarch::kernel_scene<KernelScene<Real>>(scene, mode, techniques)),
           notes_(notes),
-          lattices_(variant.pack > 1 ? lattices_of(scene_, *scene.fractal, techniques) : all_at_once),
-          spacing_(spacing_of(scene_)),
+          lattices_(lattices_of(scene_, *scene.fractal, techniques)),
           cones_(cones_pay(scene_, *scene.fractal, techniques)),
-          block_hull_(block_hull_of(scene_, *scene.fractal)),
-          shares_(lattices_.count > 1 && shares_surroundings(scene, scene_, techniques))
+          shares_(variant.pack > 1 && lattices_.count > 1 && shares_surroundings(scene, scene_, techniques))
     {
     }
 
@@ -75,9 +83,7 @@ public:
         return {.first_row = band.first_row,
                 .end_row = band.first_row + band.rows,
                 .pixels = static_cast<std::ptrdiff_t>(scene_.width) * band.rows,
-                .spacing = spacing_,
                 .cones = cones_,
-                .block_hull = block_hull_,
                 .lattice = lattice,
                 .block_start = notes_.block_start.data(),
                 .neighbour_depth = notes_.neighbour_depth.data(),
@@ -92,9 +98,7 @@ private:
     KernelScene<Real> scene_;
     LatticeBuffers<Real>& notes_;
     Lattices lattices_;
-    Real spacing_;
     bool cones_;
-    Real block_hull_;
     bool shares_;
 };
 

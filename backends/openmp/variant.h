@@ -10,6 +10,7 @@
 
 #include "core/image/tile.h"
 #include "core/render/kernel_scene.h"
+#include "core/render/lattice.h"
 
 namespace mandelmarch::openmp {
 
@@ -17,31 +18,9 @@ namespace mandelmarch::openmp {
 enum class Stage { begin, march, refine, normal, shade, output };
 inline constexpr int stages = 6;
 
-// Fast mode renders the pixels of a picture in up to three lattices: first the pixels whose column and row are
-// multiples of 4, then those whose column and row are multiples of 2, then all others. A later ray begins near the hits
-// of the pixels around it that are already rendered (neighbour_start() in core/kernel/stepping.h).
-
-// The pixels whose column and row are multiples of `apart` (1, 2 or 4), without those whose column and row are
-// multiples of `before`, which are already rendered. `before` is 0 in the first lattice.
-struct Lattice {
-    int before;
-    int apart;
-};
-
-// The lattices of a picture, in rendering order.
-struct Lattices {
-    Lattice of[3];
-    int count;
-
-    const Lattice* begin() const { return of; }
-    const Lattice* end() const { return of + count; }
-};
-
-inline constexpr Lattices all_at_once{{{0, 1}}, 1};
-
 constexpr int pool_rays = 4096;  // large enough for few gaps in packs, small enough for a core's cache
-constexpr int block_side = 8;    // pixels; side of a subtile, whose rays begin together
-constexpr int most_lanes = 64;   // per pack
+constexpr int block_side = subtile_side;
+constexpr int most_lanes = 64;  // per pack
 
 // A pool of rays, as a structure of arrays, shared by code of several pack widths.
 template <class Real>
@@ -63,9 +42,7 @@ struct Canvas {
     int first_row;
     int end_row;
     std::ptrdiff_t pixels;  // per plane
-    Real spacing;           // distance of diagonally adjacent rays at distance 1 from the camera
     bool cones;             // subtiles begin with cones (packs/cones.h)
-    Real block_hull;        // size of the enlarged hull for subtiles (spacing.h); 0: none
     Lattice lattice;        // pixels to render, counted from first_row
     Real* block_start;      // for each subtile, a t before which none of its rays hits
     Real* neighbour_depth;  // depths of the pixels in even columns and rows, at half the pixel's index

@@ -36,7 +36,8 @@ public:
                             .driver = fmt::format("TBB {}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR),
                             .is_gpu = false};
         // By default TBB starts at most one thread for each core that it detects.
-        return {.device = device, .threads = std::min(usable_threads(), tbb::info::default_concurrency())};
+        const int threads = std::min(usable_threads(), tbb::info::default_concurrency());
+        return {.device = device, .threads = threads, .in_cells = true};
     }
 
     // Sets the number of threads with TBB, because the C++ standard has no function for it.

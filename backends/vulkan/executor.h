@@ -11,6 +11,7 @@
 #include "core/base/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
+#include "core/render/spacing.h"
 #include "instruments/loops.h"
 
 namespace mandelmarch::vulkan {
@@ -24,14 +25,15 @@ enum Stage : int {
     stage_refine = 8,
     stage_shade = 16,
     stage_bytes = 32,
-    stage_pack = 64
+    stage_pack = 64,
+    stage_cones = 128
 };
 
 // The buffers of a Workbench. `results` contains two flags ("a ray is still marching" and "a ray was cut off"), the
 // planes of reals, and the planes of integers. Each of these three parts begins at a multiple of 256 bytes, the
 // largest alignment that a device may require. If only bytes are needed, they replace the planes of reals. `mirror`
-// is a copy of the results that the host can read, for devices with separate memory.
-enum Index : std::size_t { scene_buffer, ray_buffer, result_buffer, mirror_buffer };
+// is a copy of the results that the host can read, for devices with separate memory. The host can read `cone_work`.
+enum Index : std::size_t { scene_buffer, ray_buffer, result_buffer, start_buffer, cone_work_buffer, mirror_buffer };
 constexpr vk::DeviceSize aligned(vk::DeviceSize size) { return (size + 255) / 256 * 256; }
 inline constexpr vk::DeviceSize flag_size = 4;
 inline constexpr vk::DeviceSize flags_size = 2 * flag_size;
@@ -54,8 +56,26 @@ inline constexpr std::int64_t watched_loops_double = 1 << 15;
 // Number of pixels that keeps the lanes of a CPU busy.
 inline constexpr std::int64_t busy_cpu = 1 << 17;
 
-inline Limits limits_of(const Scene& scene, const DeviceInfo& info, vk::DeviceSize real, int band)
+// Sides of the tiles with cones. An invocation renders one pixel and is not refilled, so neighbours do not pay.
+inline constexpr int outer_cones = subtile_side;
+inline constexpr int inner_cones = 2;
+
+// Returns the number of a band's cones of all levels.
+inline vk::DeviceSize tiles_of(const Starts& starts, int width, int rows)
 {
+    vk::DeviceSize tiles = 0;
+    for (int pass = 0; pass < starts.cone_passes; ++pass) {
+        const int side = starts.cones[pass].side;
+        tiles += static_cast<vk::DeviceSize>(tiles_along(width, side)) *
+                 static_cast<vk::DeviceSize>(tiles_along(rows, side));
+    }
+    return tiles;
+}
+
+template <class Kernel>
+Limits limits_of(const Scene& scene, const Kernel& kernel, const DeviceInfo& info, const RendererOptions& options)
+{
+    constexpr vk::DeviceSize real = sizeof(kernel.tolerance);
     // The ray buffer is the largest buffer.
     const vk::DeviceSize bytes =
         std::min<vk::DeviceSize>(info.properties.limits.maxStorageBufferRange, info.largest_allocation);
@@ -66,23 +86,40 @@ inline Limits limits_of(const Scene& scene, const DeviceInfo& info, vk::DeviceSi
                                                   : watched_loops_double,
                     .of_scene = loops_of(scene)};
     limits.pixels_to_fill = info.device.is_gpu ? pixels_of_gpu(info.most_invocations) : busy_cpu;
-    return with_band(limits, band);
+    if (cones_fit(*limits.loops)) {
+        limits.starts = starts_of(kernel, *scene.fractal, options.techniques, outer_cones, inner_cones, false);
+    }
+    return with_band(limits, options.band);
 }
 
 // Runs the program of a Workbench on its buffers (see Index).
 template <class Real>
 class BandExecutor : public Executor {
 public:
-    BandExecutor(Gpu& gpu, Workbench& bench, const KernelScene<Real>& scene, vk::DeviceSize pixels, bool bytes_alone,
-                 Timings& timings)
-        : gpu_(gpu), bench_(bench), scene_(scene), pixels_(pixels), bytes_alone_(bytes_alone), timings_(timings)
+    BandExecutor(Gpu& gpu, Workbench& bench, const KernelScene<Real>& scene, const Starts& starts,
+                 vk::DeviceSize pixels, bool bytes_alone, Timings& timings)
+        : gpu_(gpu),
+          bench_(bench),
+          scene_(scene),
+          starts_(starts),
+          pixels_(pixels),
+          bytes_alone_(bytes_alone),
+          timings_(timings)
     {
     }
 
     void run(Entry entry, const Band& band, int steps) override
     {
-        if (entry == Entry::begin || entry == Entry::draw)
+        const Entry first = starts_.cone_passes > 0 ? Entry::cones : Entry::begin;
+        if ((entry == first && band.cones.within == 0) || (entry == Entry::draw && first != Entry::cones)) {
             gpu_.commands().fillBuffer(*results().handle, 0, flags_size, 0);
+            gpu_.barrier();
+        }
+        if (entry == Entry::cones) {
+            dispatch(stage_cones, band, 0);
+            gpu_.barrier();
+            return;
+        }
         // There is no separate pass for `begin`: the first pass that marches rays also begins them. The first pass
         // after marching also processes their stops.
         if (entry == Entry::begin) {
@@ -131,6 +168,7 @@ public:
             timings_.readback += seconds_since(start);
             return;
         }
+        count_cones(band);
         const auto planes = planes_of(reinterpret_cast<const Real*>(bytes + reals_at),
                                       reinterpret_cast<const int*>(bytes + wholes_at(pixels_)), pixels_,
                                       static_cast<std::size_t>(scene_.width));
@@ -163,6 +201,13 @@ private:
             gpu_.name()));
     }
 
+    // Adds the work of the band's cones.
+    void count_cones(const Band& band)
+    {
+        const auto* spent = reinterpret_cast<const int*>(bench_.buffers[cone_work_buffer].bytes);
+        add_cone_work(work_, {spent, 2 * tiles_of(starts_, scene_.width, band.rows)});
+    }
+
     void dispatch(int stages, const Band& band, int steps)
     {
         const Program::Ints constants{stages, scene_.fractal_whole, scene_.canonical, scene_.differences};
@@ -182,8 +227,14 @@ private:
                                      groups(scene_.width * band.rows, pixels_of_group), 1);
             return;
         }
-        bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, steps, static_cast<int>(pixels_)},
-                                 groups(scene_.width, group_side), groups(band.rows, group_side));
+        const bool marches_cones = stages == stage_cones;
+        const Cones cones = marches_cones             ? band.cones
+                            : starts_.cone_passes > 0 ? starts_.cones[starts_.cone_passes - 1]
+                                                      : Cones{};
+        const int of_group = marches_cones ? cones.side * group_side : group_side;
+        const int pixels = marches_cones && bytes_alone_ ? 0 : static_cast<int>(pixels_);
+        bench_.program->dispatch(gpu_, constants, {band.first_row, band.rows, steps, pixels, cones.side, cones.within},
+                                 groups(scene_.width, of_group), groups(band.rows, of_group));
     }
 
     // Copies the first bytes of the results to memory that the host can read. Returns the address of the copy, which is
@@ -202,6 +253,7 @@ private:
     Gpu& gpu_;
     Workbench& bench_;
     const KernelScene<Real>& scene_;
+    const Starts& starts_;
     vk::DeviceSize pixels_;  // per plane
     bool bytes_alone_;
     Timings& timings_;

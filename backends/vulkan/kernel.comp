@@ -20,6 +20,7 @@ const int stage_refine = 8;
 const int stage_shade = 16;
 const int stage_bytes = 32;  // stage_shade stores a pixel's three bytes in one word
 const int stage_pack = 64;   // a pass of its own, which packs the words of four pixels into three
+const int stage_cones = 128;  // a pass of its own, which marches the cone of a tile
 layout(constant_id = 0) const int stages = 31;
 // Scene parameters that rarely change are constants of the pipeline. This removes branches, which are expensive on some
 // devices.
@@ -39,12 +40,19 @@ layout(std430, binding = 4) writeonly buffer FlagBuffer
     int rays_cut_off;
 };
 
+// Of the tiles with cones, first those of the outer level, then those of the inner one: the t at which their rays
+// begin, and the DE evaluations and iterations of their cones.
+layout(std430, binding = 5) buffer StartBuffer { real starts[]; };
+layout(std430, binding = 6) writeonly buffer ConeWorkBuffer { int cone_work[]; };
+
 layout(push_constant) uniform Pass
 {
     int first_row;
     int rows;
     int steps;   // max steps of marching; in a pass without marching: max refinements
-    int pixels;  // values per plane of the results
+    int pixels;  // values per plane of the results; in a pass of cones 0 if their work is not needed
+    int side;    // of the tiles whose cones have been marched last, in pixels; 0: there are no cones
+    int within;  // of the tiles around these; 0: there are none
 } pass;
 
 // Returns every second bit of an index below 64, beginning with `bit` 0 or 1: a coordinate of the index's place in
@@ -71,6 +79,34 @@ int steps_or_cut_off(int steps)
     return cut_off;
 }
 
+int tiles_along(int size, int tile) { return (size + tile - 1) / tile; }
+
+int tiles_of(int tile) { return tile == 0 ? 0 : tiles_along(whole_scene.width, tile) * tiles_along(pass.rows, tile); }
+
+// Returns the index in `starts` of the tile that contains the pixel (x, y) of the band; `first`: index of the first
+// tile.
+int tile_at(int x, int y, int tile, int first)
+{
+    return first + y / tile * tiles_along(whole_scene.width, tile) + x / tile;
+}
+
+// Marches the cone of the tile in column x and row y of tiles.
+void march_tile(Scene scene, int x, int y)
+{
+    x *= pass.side;
+    y *= pass.side;
+    if (x >= scene.width || y >= pass.rows) return;
+    Ray cone = begin_cone(scene, real(x), real(pass.first_row + y), real(pass.side));
+    if (pass.within > 0) cone.t = larger(starts[tile_at(x, y, pass.within, 0)], cone.t);
+    cone = march_cone(scene, cone, cone_width(scene, real(pass.side)));
+    int at = tile_at(x, y, pass.side, tiles_of(pass.within));
+    cone.steps = steps_or_cut_off(cone.steps);
+    starts[at] = cone_end(scene, cone);
+    if (pass.pixels == 0) return;
+    cone_work[2 * at] = cone.de_calls;
+    cone_work[2 * at + 1] = cone.iterations;
+}
+
 // Packs the bytes of four pixels, of which the first has the index 4 * at, into three words.
 void pack(int at)
 {
@@ -93,19 +129,23 @@ void main()
     }
     int x = int(gl_WorkGroupID.x) * side + every_second(at, 0);
     int y = int(gl_WorkGroupID.y) * side + every_second(at, 1);
-    if (x >= whole_scene.width || y >= pass.rows) return;
-    int pixel = y * whole_scene.width + x;
-
     Scene scene = whole_scene;
     scene.fractal_whole = fractal_whole;
     scene.canonical = canonical;
     scene.differences = differences;
+    if (stages == stage_cones) {
+        march_tile(scene, x, y);
+        return;
+    }
+    if (x >= whole_scene.width || y >= pass.rows) return;
+    int pixel = y * whole_scene.width + x;
 
     Hit hit;
     if ((stages & (stage_begin | stage_march | stage_stop)) != 0) {
         Ray ray;
         if ((stages & stage_begin) != 0) {
             ray = begin(scene, x, pass.first_row + y);
+            if (pass.side > 0) ray.t = larger(starts[tile_at(x, y, pass.side, tiles_of(pass.within))], ray.t);
         } else {
             ray = rays[pixel];
         }

@@ -124,7 +124,7 @@ Program::Program(const Gpu& gpu, Module module, int buffers) : device_(gpu.devic
             bindings.emplace_back(i, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute);
         }
         set_layout_ = device_.createDescriptorSetLayout(vk::DescriptorSetLayoutCreateInfo({}, bindings));
-        const vk::PushConstantRange pushed(vk::ShaderStageFlagBits::eCompute, 0, sizeof(Ints));
+        const vk::PushConstantRange pushed(vk::ShaderStageFlagBits::eCompute, 0, sizeof(Pushed));
         layout_ = device_.createPipelineLayout(vk::PipelineLayoutCreateInfo({}, *set_layout_, pushed));
         const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, count);
         pool_ = device_.createDescriptorPool(vk::DescriptorPoolCreateInfo({}, 1, size));
@@ -158,7 +158,7 @@ const vk::raii::Pipeline& Program::pipeline(const Gpu& gpu, const Ints& constant
     });
 }
 
-void Program::dispatch(Gpu& gpu, const Ints& constants, const Ints& pushed, std::uint32_t groups_x,
+void Program::dispatch(Gpu& gpu, const Ints& constants, const Pushed& pushed, std::uint32_t groups_x,
                        std::uint32_t groups_y)
 {
     const vk::raii::Pipeline& ready = pipeline(gpu, constants);

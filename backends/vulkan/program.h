@@ -48,11 +48,12 @@ struct Binding {
     vk::DeviceSize size;    // bytes
 };
 
-// A loaded module. All shaders use the same interface: storage buffers 0, 1, ... in set 0, four ints of push constants,
+// A loaded module. All shaders use the same interface: storage buffers 0, 1, ... in set 0, six ints of push constants,
 // and four ints of specialization constants.
 class Program {
 public:
     using Ints = std::array<std::int32_t, 4>;
+    using Pushed = std::array<std::int32_t, 6>;
 
     Program(const Gpu& gpu, Module module, int buffers);
 
@@ -62,7 +63,8 @@ public:
     bool lacks(const Ints& constants) const { return !pipelines_.contains(constants); }
 
     // Records a dispatch into the GPU's command buffer. The caller adds barriers.
-    void dispatch(Gpu& gpu, const Ints& constants, const Ints& pushed, std::uint32_t groups_x, std::uint32_t groups_y);
+    void dispatch(Gpu& gpu, const Ints& constants, const Pushed& pushed, std::uint32_t groups_x,
+                  std::uint32_t groups_y);
 
 private:
     const vk::raii::Pipeline& pipeline(const Gpu& gpu, const Ints& constants);

@@ -99,7 +99,7 @@ private:
         const auto start = Clock::now();
         Gpu& gpu = session_->gpu;
         const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
-        const Limits limits = limits_of(scene, gpu.info(), sizeof(Real), options_.band);
+        const Limits limits = limits_of(scene, kernel, gpu.info(), options_);
         const auto pixels =
             static_cast<vk::DeviceSize>(rows_per_band(scene, limits)) * static_cast<vk::DeviceSize>(scene.width);
         RenderStats report{.backend = "vulkan",
@@ -120,13 +120,15 @@ private:
         }
 
         const auto upload = Clock::now();
-        bind_buffers<Real>(pixels);
+        bind_buffers<Real>(
+            pixels, std::max<vk::DeviceSize>(1, tiles_of(limits.starts, scene.width, rows_per_band(scene, limits))));
         gpu.commands().updateBuffer<KernelScene<Real>>(*session_->bench.buffers[scene_buffer].handle, 0, kernel);
         gpu.barrier();
         gpu.finish("uploading the scene");
         timings.upload = seconds_since(upload);
 
-        BandExecutor<Real> executor(gpu, session_->bench, kernel, pixels, bytes_alone(image, options_), timings);
+        BandExecutor<Real> executor(gpu, session_->bench, kernel, limits.starts, pixels, bytes_alone(image, options_),
+                                    timings);
         run_schedule(scene, options_.mode, limits, executor, image, progress);
         report.work = executor.work();
         timings.wall = seconds_since(start);
@@ -139,33 +141,40 @@ private:
         const Module module = module_named(fmt::format("{}_{}", fractal, variant_));
         if (module.empty()) throw Unavailable(fmt::format("backend vulkan: it has no fractal {}", fractal));
         loaded_.clear();
-        session_->bench.program = std::make_unique<Program>(session_->gpu, module, 5);
+        session_->bench.program = std::make_unique<Program>(session_->gpu, module, 7);
         loaded_ = fractal;
     }
 
-    // Binds buffers for bands of `pixels` pixels. Reuses the buffers of earlier pictures if they are large enough.
+    // Binds buffers for bands of `pixels` pixels with `tiles` cones. Reuses the buffers of earlier pictures if they are
+    // large enough.
     template <class Real>
-    void bind_buffers(vk::DeviceSize pixels)
+    void bind_buffers(vk::DeviceSize pixels, vk::DeviceSize tiles)
     {
         using Bands = BandExecutor<Real>;
         auto& buffers = session_->bench.buffers;
-        if (held_ < pixels) {
+        if (held_ < pixels || held_tiles_ < tiles) {
+            const vk::DeviceSize most = std::max(pixels, held_);
+            const vk::DeviceSize most_tiles = std::max(tiles, held_tiles_);
             const Gpu& gpu = session_->gpu;
             const bool shared = gpu.info().shares_memory;
-            const vk::DeviceSize size = Bands::results_size(pixels);
+            const vk::DeviceSize size = Bands::results_size(most);
             held_ = 0;
             buffers.clear();
             buffers.push_back(gpu.make_buffer(sizeof(KernelScene<Real>), Place::device, "the scene"));
-            buffers.push_back(gpu.make_buffer(ray_size(sizeof(Real)) * pixels, Place::device, "rays"));
+            buffers.push_back(gpu.make_buffer(ray_size(sizeof(Real)) * most, Place::device, "rays"));
             buffers.push_back(gpu.make_buffer(size, shared ? Place::host : Place::device, "pixels"));
+            buffers.push_back(gpu.make_buffer(sizeof(Real) * most_tiles, Place::device, "starts of rays"));
+            buffers.push_back(gpu.make_buffer(2 * sizeof(int) * most_tiles, Place::host, "the work of cones"));
             if (!shared) buffers.push_back(gpu.make_buffer(size, Place::host, "copies of the pixels"));
-            held_ = pixels;
+            held_ = most;
+            held_tiles_ = most_tiles;
         }
         const Buffer* results = &buffers[result_buffer];
         session_->bench.program->bind(std::array{
             Binding{&buffers[scene_buffer], 0, VK_WHOLE_SIZE}, Binding{&buffers[ray_buffer], 0, VK_WHOLE_SIZE},
             Binding{results, reals_at, real_planes * sizeof(Real) * pixels},
-            Binding{results, Bands::wholes_at(pixels), Bands::wholes_size(pixels)}, Binding{results, 0, flags_size}});
+            Binding{results, Bands::wholes_at(pixels), Bands::wholes_size(pixels)}, Binding{results, 0, flags_size},
+            Binding{&buffers[start_buffer], 0, VK_WHOLE_SIZE}, Binding{&buffers[cone_work_buffer], 0, VK_WHOLE_SIZE}});
     }
 
     RendererOptions options_;
@@ -174,6 +183,7 @@ private:
     std::string instruction_set_ = "SPIR-V";  // for the user; names the method of float divisions, too
     std::string loaded_;                      // name of the fractal whose program is loaded
     vk::DeviceSize held_ = 0;                 // pixels that the Workbench's buffers can hold
+    vk::DeviceSize held_tiles_ = 0;           // and cones
     double context_ = 0;                      // seconds
 };
 

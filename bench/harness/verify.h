@@ -26,7 +26,7 @@ struct ExpectedPicture {
 //     pixels.
 //   - In fast mode, the expected picture is the reference's canonical picture in double. If the reference would take
 //     minutes (more than a million pixels) or does not support the scene, it is the scalar kernel's fast picture in
-//     double. At most 2 % of the pixels may differ visibly.
+//     double, without cones and neighbours. At most 2 % of the pixels may differ visibly.
 class ExpectedPictures {
 public:
     explicit ExpectedPictures(const Registry& registry) : registry_(registry) {}

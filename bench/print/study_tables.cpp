@@ -13,12 +13,12 @@ namespace {
 double ratio(std::uint64_t a, std::uint64_t b) { return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b); }
 
 // Returns a timed configuration that does the same work as the counting kernel, but on all pixels; nullptr if there is
-// none. In fast mode the host's packs are excluded, because they take other steps.
+// none. The counting kernel has neither cones nor neighbours.
 const Row* whole_picture(const Result& result, const Counted& counted)
 {
-    const std::string host = result.host();
     for (const Row& row : result.rows) {
-        const bool same_steps = counted.mode == Mode::exact || row.backend != host || is_scalar(result, row);
+        const Techniques techniques = techniques_without(row.setting.without);
+        const bool same_steps = counted.mode == Mode::exact || (!techniques.cones && !techniques.neighbours);
         if (row.timed() && is_counted_for(counted, row) && same_steps) return &row;
     }
     return nullptr;
@@ -44,7 +44,8 @@ std::string errors_of(const Result& result)
     }
     if (of_operations == 0) return {};
     return fmt::format(
-        "calls a pixel: of all pixels; the rest: of a sample, with standard errors up to {:.1f} % (iterations a call), "
+        "calls a pixel in exact mode: of all pixels; the rest: of a sample, with standard errors up to {:.1f} % "
+        "(iterations a call), "
         "{:.1f} %\n(operations an iteration) and {:.1f} points (lanes)\n",
         100 * of_iterations, 100 * of_operations, 100 * of_lanes);
 }

@@ -8,6 +8,7 @@
 #include "core/base/console.h"
 #include "core/job/executor.h"
 #include "core/render/peak.h"
+#include "core/render/spacing.h"
 
 namespace mandelmarch::job {
 namespace {
@@ -16,6 +17,9 @@ namespace {
 constexpr std::size_t memory_share = 4;
 // Target time of a band on the host. It is short, because a picture can be cancelled only between bands.
 constexpr double seconds_per_band = 0.1;
+// Pixels of a band on the host if the picture has cones or lattices, so that bands must not depend on times. Small for
+// the same reason.
+constexpr std::int64_t fixed_band = 1 << 17;
 // Device memory for a KernelArguments, including the rounding of allocations.
 constexpr std::size_t job_memory = 1 << 16;  // bytes
 // Alignment of host memory: a cache line, which is at least the alignment of a Scene.
@@ -69,10 +73,14 @@ private:
                     timed(report.timings.build, [&] { built_[launch] = model_->build(launch); });
                 }
                 report.kernels = built_.at(launch);
-                const Limits limits = limits_for(scene, pixel_bytes<Real>);
+                Limits limits = limits_for(scene, pixel_bytes<Real>);
+                limits.starts = starts_for(scene);
+                if (has_starts(limits.starts) && limits.seconds_per_band > 0) {
+                    limits.pixels_per_band = limits.pixels_to_fill = std::min(limits.pixels_per_band, fixed_band);
+                }
                 std::optional<BandExecutor<Real>> executor;
                 timed(report.timings.upload, [&] {
-                    executor.emplace(*model_, opened_, *memory_, launch, scene, options_, limits.pixels_per_band,
+                    executor.emplace(*model_, opened_, *memory_, launch, scene, options_, limits,
                                      bytes_alone(image, options_), report.timings);
                 });
                 run_schedule(scene, options_.mode, limits, *executor, image, progress);
@@ -81,6 +89,15 @@ private:
         });
         report.timings.context = context_;
         return report;
+    }
+
+    // Returns the passes that find where rays begin. Threads of a GPU have cones of small tiles, because a warp waits
+    // for its slowest ray, and neighbours save steps of the fastest rays only.
+    Starts starts_for(const Scene& scene) const
+    {
+        const auto kernel = kernel_scene<layout_f64::Scene>(scene, options_.mode, options_.techniques);
+        const int side = opened_.in_cells ? subtile_side : gpu_cone_side;
+        return starts_of(kernel, *scene.fractal, options_.techniques, side, 0, opened_.in_cells);
     }
 
     DrawKernel* launch_of(const Scene& scene) const
@@ -96,12 +113,17 @@ private:
 
     // Returns the limits of a picture's bands: at least one row, at most the whole picture. `bytes`: device memory per
     // pixel. Throws Error if the free memory does not suffice for one row.
-    Limits limits_for(const Scene& scene, std::size_t bytes) const
+    Limits limits_for(const Scene& scene, std::size_t bytes)
     {
         const std::int64_t picture = std::int64_t{scene.width} * scene.height;
         std::int64_t pixels = options_.band > 0 ? options_.band : opened_.pixels_per_band;
         double seconds = 0;
+        const std::int64_t wanted = std::min(std::max<std::int64_t>(pixels, scene.width), picture);
+        if (on_device_ && memory_->band_pixels(bytes) >= static_cast<std::size_t>(wanted)) {
+            return {.pixels_per_band = wanted, .pixels_to_fill = wanted};
+        }
         if (auto free = model_->free_memory(options_.device)) {
+            on_device_ = true;
             *free += memory_->held();  // buffers that would be freed before larger ones are allocated
             pixels = std::min(pixels, static_cast<std::int64_t>(*free / memory_share / bytes));
             const std::size_t needed = static_cast<std::size_t>(scene.width) * bytes + job_memory;
@@ -122,6 +144,7 @@ private:
     double context_;  // seconds
     std::map<DrawKernel*, std::vector<KernelResources>> built_;
     std::unique_ptr<Memory> memory_;
+    bool on_device_ = false;  // the buffers are in a device's own memory, not the host's
 };
 
 class JobBackend : public Backend {

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -67,25 +69,41 @@ using Staging = GrowingBuffer<&Model::allocate_staging, &Model::release_staging>
 // The buffers of a renderer.
 struct Memory {
     DeviceMemory reals, wholes, bytes, camera, job;
+    DeviceMemory starts, cone_work, depths;
     Staging host_reals, host_wholes;
+    std::vector<std::byte> camera_on_device;  // the contents of `camera`
 
     explicit Memory(const Model& model)
-        : reals(model), wholes(model), bytes(model), camera(model), job(model), host_reals(model), host_wholes(model)
+        : reals(model),
+          wholes(model),
+          bytes(model),
+          camera(model),
+          job(model),
+          starts(model),
+          cone_work(model),
+          depths(model),
+          host_reals(model),
+          host_wholes(model)
     {
     }
     // Returns the bytes of the device buffers whose sizes depend on the band.
     std::size_t held() const { return reals.size() + wholes.size() + bytes.size(); }
+    // Returns the max number of pixels of a band whose planes, of `bytes_per_pixel`, fit in the buffers.
+    std::size_t band_pixels(std::size_t bytes_per_pixel) const
+    {
+        return (reals.size() + wholes.size()) / bytes_per_pixel;
+    }
 };
 
 template <class Real>
 constexpr std::size_t pixel_bytes = real_planes * sizeof(Real) + whole_planes * sizeof(int);
 
-// Renders bands of up to `pixels` pixels.
+// Renders bands within the limits.
 template <class Real>
 class BandExecutor : public Executor {
 public:
     BandExecutor(const Model& model, const OpenedDevice& opened, Memory& memory, DrawKernel* launch, const Scene& scene,
-                 const RendererOptions& options, std::int64_t pixels, bool bytes_alone, Timings& timings)
+                 const RendererOptions& options, const Limits& limits, bool bytes_alone, Timings& timings)
         : model_(model), opened_(opened), memory_(memory), timings_(timings), launch_(launch)
     {
         job_.scene = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
@@ -97,29 +115,39 @@ public:
             throw Unavailable(
                 fmt::format("backend {}: its kernels are not made for this scene's hit or normal", model.name()));
         }
-        const std::vector<Real> table = camera_table(job_.scene);
-        const std::size_t table_size = table.size() * sizeof(Real);
-        void* camera = memory.camera.of_size(table_size);
-        model_.upload(camera, table.data(), table_size);
-        const auto most = static_cast<std::size_t>(pixels);
-        job_.camera = static_cast<const Real*>(camera);
+        const auto most = static_cast<std::size_t>(limits.pixels_per_band);
+        job_.camera = static_cast<const Real*>(uploaded_camera());
         job_.reals = static_cast<Real*>(memory.reals.of_size(most * real_planes * sizeof(Real)));
         job_.wholes = static_cast<int*>(memory.wholes.of_size(most * whole_planes * sizeof(int)));
         job_.bytes = bytes_alone ? static_cast<unsigned char*>(memory.bytes.of_size(3 * most)) : nullptr;
+        fit_starts(scene, limits);
         job_on_device_ = memory.job.of_size(sizeof(job_));
     }
 
-    // The renderer's Limits have no limit of loop iterations, so the entry is always Entry::draw.
-    void run(Entry, const Band& band, int) override
+    // The renderer's Limits have no limit of loop iterations, so the entry is Entry::cones or Entry::draw.
+    void run(Entry entry, const Band& band, int) override
     {
+        const int width = job_.scene.width;
+        const auto tiles = [&](int side) { return tiles_along(width, side) * tiles_along(band.rows, side); };
+        if (entry == Entry::cones) {
+            cones_ = {.tiles = tiles(band.cones.side)};  // launched together with the pixels of the first lattice
+            return;
+        }
+        const Launch cones = std::exchange(cones_, {});
+        const Launch pixels{.cells = tiles(cell_side(band.lattice)), .width = width, .rows = band.rows};
         job_.first_row = band.first_row;
         job_.rows = band.rows;
+        job_.lattice = band.lattice;
         job_.pixels_of_thread = pixels_of_thread(std::int64_t{job_.scene.width} * band.rows);
         timed(timings_.upload, [&] { model_.upload(job_on_device_, &job_, sizeof(job_)); });
         double by_device = 0;
         double by_host = 0;
-        timed(by_host,
-              [&] { by_device = model_.seconds_of([&] { launch_(job_on_device_, job_.scene.width, band.rows); }); });
+        timed(by_host, [&] {
+            by_device = model_.seconds_of([&] {
+                if (cones.tiles > 0) launch_(job_on_device_, cones);
+                launch_(job_on_device_, pixels);
+            });
+        });
         timings_.ran(by_host, by_device);
     }
 
@@ -144,12 +172,58 @@ public:
             const Planes<Real> planes = planes_of(reals, wholes, pixels, width);
             image.store(planes, 0, band.first_row, image.width(), band.rows);
             add_work(work_, planes, image.width(), band.rows);
+            add_cone_work(band);
         });
     }
 
     const Work& work() const { return work_; }
 
 private:
+    // Allocates the buffers of cones and lattices.
+    void fit_starts(const Scene& scene, const Limits& limits)
+    {
+        const int rows = rows_per_band(scene, limits);
+        job_.cone_side = limits.starts.tile_side();
+        if (job_.cone_side > 0) {
+            const std::size_t tiles = static_cast<std::size_t>(tiles_along(scene.width, job_.cone_side)) *
+                                      static_cast<std::size_t>(tiles_along(rows, job_.cone_side));
+            job_.starts = static_cast<Real*>(memory_.starts.of_size(tiles * sizeof(Real)));
+            job_.cone_work = static_cast<int*>(memory_.cone_work.of_size(2 * tiles * sizeof(int)));
+        }
+        if (limits.starts.lattices.count > 1) {
+            const std::size_t depths = Image::pixels(scene.width, rows) / 2 + 1;
+            job_.depths = static_cast<Real*>(memory_.depths.of_size(depths * sizeof(Real)));
+        }
+    }
+
+    // Adds the work of the band's cones.
+    void add_cone_work(const Band& band)
+    {
+        if (job_.cone_side == 0) return;
+        std::vector<int> spent(2 * static_cast<std::size_t>(tiles_along(job_.scene.width, job_.cone_side)) *
+                               static_cast<std::size_t>(tiles_along(band.rows, job_.cone_side)));
+        model_.read_back(spent.data(), job_.cone_work, spent.size() * sizeof(int));
+        mandelmarch::add_cone_work(work_, spent);
+    }
+
+    // Returns the address of the scene's camera table on the device. Uploads it unless the last picture's table was
+    // equal.
+    const void* uploaded_camera()
+    {
+        const std::vector<Real> table = camera_table(job_.scene);
+        const auto* first = reinterpret_cast<const std::byte*>(table.data());
+        const std::size_t size = table.size() * sizeof(Real);
+        std::vector<std::byte>& on_device = memory_.camera_on_device;
+        if (size > memory_.camera.size()) on_device.clear();  // `camera` is replaced
+        void* camera = memory_.camera.of_size(size);
+        if (!std::equal(on_device.begin(), on_device.end(), first, first + size)) {
+            on_device.clear();
+            model_.upload(camera, first, size);
+            on_device.assign(first, first + size);
+        }
+        return camera;
+    }
+
     // Returns the number of pixels that a thread marches one after the other. If threads march more pixels, fewer lanes
     // of a warp are idle while the warp's last rays march. But enough threads must remain to fill the device twice.
     int pixels_of_thread(std::int64_t pixels) const
@@ -165,6 +239,7 @@ private:
     Memory& memory_;
     Timings& timings_;
     DrawKernel* launch_;
+    Launch cones_;  // cones that are not launched yet
     KernelArguments<KernelScene<Real>, Real> job_{};
     void* job_on_device_ = nullptr;
     Work work_;

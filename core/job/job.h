@@ -3,11 +3,13 @@
 // rows.
 #pragma once
 
+#include "core/render/lattice.h"
+
 namespace mandelmarch::job {
 
-// Arguments of a launch, called a job. A job renders rows [first_row, first_row + rows) of the picture. The job and its
-// planes are in device memory; the planes have the layout of planes_of() in core/image/image.h. Scene is the kernel's
-// type.
+// Arguments of a launch, called a job. A job renders the pixels of a lattice in rows [first_row, first_row + rows) of
+// the picture, or marches the cones of these rows. The job and its buffers are in device memory; the planes have the
+// layout of planes_of() in core/image/image.h. Scene is the kernel's type.
 template <class Scene, class Real>
 struct KernelArguments {
     Scene scene;
@@ -15,13 +17,26 @@ struct KernelArguments {
     int* wholes;
     unsigned char* bytes;  // three per pixel; nullptr: the planes are needed, not the bytes
     const Real* camera;    // table of core/job/camera_table.h
+    Real* starts;          // for each tile with a cone, the t at which its rays begin
+    int* cone_work;        // for each such tile, the DE evaluations and the iterations of its cone
+    Real* depths;          // depths that pixels in even columns and rows pass on, at half the pixel's index
+    int cone_side;         // side of the tiles with cones, in pixels; 0: there are no cones
+    Lattice lattice;       // on GPUs always {0, 1}
     int first_row;
     int rows;
     int pixels_of_thread;  // pixels that a thread marches one after the other, with refill (pixels.h)
 };
 
-// Renders the width x rows pixels of a job. `job` is the address of its KernelArguments on the device.
-using DrawKernel = void(const void* job, int width, int rows);
+// The size of a job.
+struct Launch {
+    int tiles = 0;  // cones to march; 0: the job renders pixels
+    int cells = 0;  // cells of the lattice (core/render/lattice.h)
+    int width = 0;  // pixels
+    int rows = 0;
+};
+
+// Marches the cones of a job or renders its pixels. `job` is the address of its KernelArguments on the device.
+using DrawKernel = void(const void* job, const Launch& launch);
 
 // Runs the chains of core/kernel/peak.h on `threads` threads. `sums` is device memory for one number per thread.
 using Chains = void(void* sums, int threads, double a, double b, int rounds);
@@ -31,16 +46,18 @@ inline constexpr int block_threads = 128;
 // The 32 threads of a warp render a rectangle of pixels of this size, so that their rays stay close together.
 inline constexpr int warp_width = 8;
 inline constexpr int warp_height = 4;
+// Side in pixels of the tiles whose rays begin at the end of one cone, on a GPU.
+inline constexpr int gpu_cone_side = 4;
 
-// Returns the number of GPU thread blocks of a job.
+// Returns the number of GPU thread blocks that march `tiles` cones.
+constexpr int blocks_of_cones(int tiles) { return (tiles + block_threads - 1) / block_threads; }
+
+// Returns the number of GPU thread blocks that render width x rows pixels.
 constexpr int blocks_of(int width, int rows)
 {
     constexpr int warps_per_block = block_threads / (warp_width * warp_height);
     const int warps = ((width + warp_width - 1) / warp_width) * ((rows + warp_height - 1) / warp_height);
     return (warps + warps_per_block - 1) / warps_per_block;
 }
-
-// Returns the number of threads of a job, a multiple of block_threads.
-constexpr int threads_of(int width, int rows) { return blocks_of(width, rows) * block_threads; }
 
 }  // namespace mandelmarch::job

@@ -26,6 +26,8 @@ struct OpenedDevice {
     // True if each thread marches several pixels, for fractals that use refill. pixels_per_band must then be
     // waves_of_band times the number of threads resident on the device.
     bool refill_lanes = false;
+    // True for loops on a CPU that use cells.h, false for threads of a GPU that use threads.h.
+    bool in_cells = false;
     int peak_threads = 1 << 7;  // threads that measure the multiply-add peak; a multiple of block_threads
     std::string note = {};      // warning that is printed when a renderer uses this device; may be empty
 };

@@ -3,7 +3,10 @@
 
 #include <dlfcn.h>
 
+#include <map>
+#include <mutex>
 #include <type_traits>
+#include <vector>
 
 #include "core/base/stopwatch.h"
 
@@ -13,6 +16,7 @@ namespace {
 // Declarations of cuda.h, because builds without CUDA do not have that file.
 using CUresult = int;
 using CUdevice = int;
+using CUcontext = struct CUctx_st*;
 using CUevent = struct CUevent_st*;
 using CUstream = struct CUstream_st*;
 constexpr CUresult CUDA_SUCCESS = 0;
@@ -23,11 +27,11 @@ constexpr int CU_DEVICE_ATTRIBUTE_MAX_THREADS_PER_MULTIPROCESSOR = 39;
 struct Driver {
     CUresult (*cuDeviceGet)(CUdevice*, int) = nullptr;
     CUresult (*cuDeviceGetAttribute)(int*, int, CUdevice) = nullptr;
+    CUresult (*cuCtxGetCurrent)(CUcontext*) = nullptr;
     CUresult (*cuEventCreate)(CUevent*, unsigned) = nullptr;
     CUresult (*cuEventRecord)(CUevent, CUstream) = nullptr;
     CUresult (*cuEventSynchronize)(CUevent) = nullptr;
     CUresult (*cuEventElapsedTime)(float*, CUevent, CUevent) = nullptr;
-    CUresult (*cuEventDestroy)(CUevent) = nullptr;
     bool complete = false;
 
     Driver()
@@ -41,11 +45,11 @@ struct Driver {
         };
         load(cuDeviceGet, "cuDeviceGet");
         load(cuDeviceGetAttribute, "cuDeviceGetAttribute");
+        load(cuCtxGetCurrent, "cuCtxGetCurrent");
         load(cuEventCreate, "cuEventCreate");
         load(cuEventRecord, "cuEventRecord");
         load(cuEventSynchronize, "cuEventSynchronize");
         load(cuEventElapsedTime, "cuEventElapsedTime");
-        load(cuEventDestroy, "cuEventDestroy_v2");
     }
 };
 
@@ -55,43 +59,83 @@ const Driver& driver()
     return only;
 }
 
-class Event {
-public:
-    Event() { made_ = driver().complete && driver().cuEventCreate(&event_, 0) == CUDA_SUCCESS; }
-    ~Event()
-    {
-        if (made_) driver().cuEventDestroy(event_);
-    }
-    Event(const Event&) = delete;
-    Event& operator=(const Event&) = delete;
+// A pair of events of a context: one is recorded before some launches, the other one after them.
+struct Pair {
+    CUevent first = nullptr;
+    CUevent last = nullptr;
+};
 
-    // Records the event. Returns false if the event could not be created or recorded.
-    bool record() const { return made_ && driver().cuEventRecord(event_, nullptr) == CUDA_SUCCESS; }
-    bool wait() const { return made_ && driver().cuEventSynchronize(event_) == CUDA_SUCCESS; }
-    // Sets `milliseconds` to the time from `first` to this event. Returns false unless both events have occurred.
-    bool since(const Event& first, float& milliseconds) const
+// The pairs that are not in use. They are never destroyed: at the end of the process their driver may already be gone.
+struct Kept {
+    std::mutex mutex;
+    std::map<CUcontext, std::vector<Pair>> pairs;
+};
+
+Kept& kept()
+{
+    static Kept& only = *new Kept;
+    return only;
+}
+
+// Uses a pair of events of the calling thread's context; makes one if all are in use.
+class Events {
+public:
+    Events()
     {
-        return driver().cuEventElapsedTime(&milliseconds, first.event_, event_) == CUDA_SUCCESS;
+        const Driver& d = driver();
+        if (!d.complete || d.cuCtxGetCurrent(&context_) != CUDA_SUCCESS) return;
+        const std::scoped_lock lock(kept().mutex);
+        std::vector<Pair>& pairs = kept().pairs[context_];
+        if (pairs.empty()) {
+            made_ = d.cuEventCreate(&pair_.first, 0) == CUDA_SUCCESS && d.cuEventCreate(&pair_.last, 0) == CUDA_SUCCESS;
+            return;
+        }
+        pair_ = pairs.back();
+        pairs.pop_back();
+        made_ = true;
+    }
+    ~Events()
+    {
+        if (!made_) return;
+        const std::scoped_lock lock(kept().mutex);
+        kept().pairs[context_].push_back(pair_);
+    }
+    Events(const Events&) = delete;
+    Events& operator=(const Events&) = delete;
+
+    // Record an event. Return false if it could not be created or recorded.
+    bool begin() const { return made_ && driver().cuEventRecord(pair_.first, nullptr) == CUDA_SUCCESS; }
+    bool end() const { return made_ && driver().cuEventRecord(pair_.last, nullptr) == CUDA_SUCCESS; }
+    bool wait() const { return driver().cuEventSynchronize(pair_.last) == CUDA_SUCCESS; }
+    // Sets `milliseconds` to the time between the events. Returns false unless both have occurred.
+    bool between(float& milliseconds) const
+    {
+        return driver().cuEventElapsedTime(&milliseconds, pair_.first, pair_.last) == CUDA_SUCCESS;
     }
 
 private:
-    CUevent event_ = nullptr;
+    CUcontext context_ = nullptr;
+    Pair pair_;
     bool made_ = false;
 };
 
 }  // namespace
 
-double seconds_on_gpu(const std::function<void()>& launch)
+double seconds_on_gpu(const std::function<void()>& launch, const std::function<void()>& wait)
 {
-    const Event first;
-    const Event last;
+    const Events events;
     const auto start = Clock::now();
-    const bool timed = first.record();
+    bool timed = events.begin();
     launch();
+    timed = timed && events.end();
+    if (wait) {
+        wait();
+    } else {
+        timed = timed && events.wait();
+    }
     const double seconds = seconds_since(start);
     float milliseconds = 0;
-    if (timed && last.record() && last.wait() && last.since(first, milliseconds)) return 1e-3 * milliseconds;
-    return seconds;
+    return timed && events.between(milliseconds) ? 1e-3 * milliseconds : seconds;
 }
 
 std::int64_t pixels_per_launch(int index)

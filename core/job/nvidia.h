@@ -10,9 +10,10 @@
 
 namespace mandelmarch::job {
 
-// Runs `launch`, which must use the default stream of the calling thread's GPU, and waits for it. Returns its seconds,
-// measured by events on the GPU; if the driver has no events, by the host's clock.
-double seconds_on_gpu(const std::function<void()>& launch);
+// Runs `launch`, which launches kernels in the default stream of the calling thread's GPU, then `wait`, which waits for
+// them and throws Error if one has failed; empty: the launch waits itself. Returns the kernels' seconds, measured by
+// events on the GPU; if the driver has no events, by the host's clock.
+double seconds_on_gpu(const std::function<void()>& launch, const std::function<void()>& wait = {});
 
 // Returns the number of pixels per launch for a GPU: pixels_of_gpu(threads) of core/render/schedule.h, where `threads`
 // is the GPU's number of resident threads. Returns fewest_of_gpu if this number is unknown or if a watchdog ends

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel source, and the functions that a model's loops call for each pixel of a job: on a CPU draw_pixel(); on a
-// GPU march_pixel(), shade_pixel() and bytes_of_pixel(), one after the other. Has no include guard: the source file of
-// each compiled kernel includes it once, in its own namespace and after core/job/job.h. The including file defines
-// MM_REAL, MM_REAL_IS_FLOAT, MM_FRACTAL_FILE, and MM_MODE_exact or MM_MODE_fast.
+// The kernel source, and the functions that cells.h, for CPUs, and threads.h, for GPUs, have in common. Has no include
+// guard: the source file of each compiled kernel includes cells.h or threads.h once, in its own namespace and after
+// core/job/job.h. The including file defines MM_REAL, MM_REAL_IS_FLOAT, MM_FRACTAL_FILE, and MM_MODE_exact or
+// MM_MODE_fast; it may define MM_NORMALS_OF_SCENE, see fixed_scene().
 #ifndef MM_PRELUDE
 #define MM_PRELUDE "core/kernel/prelude/scalar.h"
 #endif
@@ -13,7 +13,7 @@
 #undef MM_TRUNCATED
 
 // Scene::canonical and Scene::differences are constants here, fixed by precision and mode. core/job/executor.h rejects
-// scenes with other values.
+// scenes with other values. With MM_NORMALS_OF_SCENE, Scene::differences may have any value.
 #ifdef MM_MODE_fast
 constexpr int canonical = 1;
 #else
@@ -39,15 +39,19 @@ FN Scene fixed_scene(const KernelArguments* job)
 {
     Scene scene = job->scene;
     scene.canonical = canonical;
+#ifndef MM_NORMALS_OF_SCENE
     scene.differences = scene.differences == 2 ? 2 : differences;
+#endif
     return scene;
 }
 
+// Stores a pixel in the planes: only its colour if the job needs bytes.
 FN void put_pixel(const KernelArguments* job, int at, int pixels, Pixel pixel)
 {
     job->reals[at] = pixel.colour.x;
     job->reals[at + pixels] = pixel.colour.y;
     job->reals[at + 2 * pixels] = pixel.colour.z;
+    if (job->bytes != nullptr) return;
     job->reals[at + 3 * pixels] = pixel.depth;
     job->wholes[at] = pixel.steps;
     job->wholes[at + pixels] = pixel.de_calls;
@@ -62,181 +66,43 @@ FN void put_bytes(const KernelArguments* job, int at, real red, real green, real
     bytes[2] = static_cast<unsigned char>(byte_of(blue));
 }
 
-// Renders the pixel with index `at` in the job's planes. For CPUs.
-FN void draw_pixel(const KernelArguments* job, int at)
+// Stores a pixel in the job's bytes, or in its planes.
+FN void put(const KernelArguments* job, int at, Pixel pixel)
 {
-    Scene scene = fixed_scene(job);
-    const int y = at / scene.width;
-    const Pixel pixel = draw(scene, real(at - y * scene.width), real(job->first_row + y));
     if (job->bytes != nullptr) {
         put_bytes(job, at, pixel.colour.x, pixel.colour.y, pixel.colour.z);
     } else {
-        put_pixel(job, at, scene.width * job->rows, pixel);
+        put_pixel(job, at, job->scene.width * job->rows, pixel);
     }
 }
 
-// Returns the scene, loaded from memory again.
-FN Scene scene_of(const KernelArguments* job)
+// Returns the number of tiles with cones in a row or column of `pixels` pixels. tiles_along() cannot be called on a
+// GPU.
+FN int tiles_in(const KernelArguments* job, int pixels) { return (pixels + job->cone_side - 1) / job->cone_side; }
+
+FN int tile_columns(const KernelArguments* job) { return tiles_in(job, job->scene.width); }
+
+// Begins the cone of the tile with index `at`, counted row by row.
+FN Ray begun_cone(const KernelArguments* job, Scene scene, int at)
 {
-    MM_ANEW(job);
-    return fixed_scene(job);
+    const int side = job->cone_side;
+    const int y = at / tile_columns(job);
+    const int x = at - y * tile_columns(job);
+    return begin_cone(scene, real(x * side), real(job->first_row + y * side), real(side));
 }
 
-// Returns the scene for marching. In exact mode, marching does not depend on `differences`, so `differences` is made a
-// constant.
-FN Scene march_scene_of(const KernelArguments* job)
+// Stores the work of a tile's cone, and where its rays begin.
+FN void put_cone(const KernelArguments* job, Scene scene, int at, Ray cone)
 {
-    Scene scene = scene_of(job);
-    if (canonical == 0) scene.differences = differences;
-    return scene;
+    job->starts[at] = cone_end(scene, cone);
+    job->cone_work[2 * at] = cone.de_calls;
+    job->cone_work[2 * at + 1] = cone.iterations;
 }
 
-// The pixel of a GPU thread.
-struct Place {
-    bool inside;  // the pixel is in the job
-    int x;
-    int y;       // row, counted from the job's first row
-    int at;      // index in a plane
-    int pixels;  // number of pixels of a plane
-};
-
-FN Place place_of(const KernelArguments* job, int thread)
+// Returns the t at which the cone of a pixel's tile has ended; 0: there are no cones. y: the row in the job.
+FN real tile_start(const KernelArguments* job, int x, int y)
 {
-    constexpr int warp_width = mandelmarch::job::warp_width;
-    constexpr int warp_height = mandelmarch::job::warp_height;
-    MM_ANEW(job);
-    MM_ANEW(thread);
-    const int width = job->scene.width;
-    const int columns = (width + warp_width - 1) / warp_width;
-    const int warp = thread / (warp_width * warp_height);
-    const int lane = thread % (warp_width * warp_height);
-    Place place;
-    place.x = warp % columns * warp_width + lane % warp_width;
-    place.y = warp / columns * warp_height + lane / warp_width;
-    place.inside = place.x < width && place.y < job->rows;
-    place.at = place.y * width + place.x;
-    place.pixels = width * job->rows;
-    return place;
+    const int side = job->cone_side;
+    if (canonical == 0 || side == 0) return 0;
+    return job->starts[y / side * tile_columns(job) + x / side];
 }
-
-FN Ray begun(const KernelArguments* job, Place place)
-{
-    const real* column = job->camera + place.x;
-    const real* row = job->camera + (2 * job->scene.width + job->first_row + place.y);
-    const Complex a = complex_number(column[0], column[job->scene.width]);
-    const Complex b = complex_number(row[0], row[job->scene.height]);
-    const vec3 direction = along_axes(scene_of(job), a, b);
-    return begin_along(scene_of(job), direction);
-}
-
-// Stores a stopped ray in its pixel's planes, for shade_pixel().
-FN void put_ray(const KernelArguments* job, Place place, Ray ray)
-{
-    // The first plane holds the value that the hit is computed from: t in exact mode, before_distance in fast mode, for
-    // refinement.
-    job->reals[place.at] = canonical != 0 ? ray.before_distance : ray.t;
-    job->reals[place.at + place.pixels] = ray.last_t;
-    job->reals[place.at + 2 * place.pixels] = ray.last_distance;
-    job->reals[place.at + 3 * place.pixels] = ray.before_t;
-    job->wholes[place.at] = ray.steps;
-    job->wholes[place.at + place.pixels] = ray.de_calls;
-    job->wholes[place.at + 2 * place.pixels] = ray.iterations;
-}
-
-// Refill is not used in exact mode: fewer lanes are idle there, and the registers of the refill loop would reduce the
-// number of threads resident on a GPU.
-#if defined(MM_REFILL_LANES) && defined(MM_MODE_fast)
-// Number of steps between two refills. All lanes of a warp wait while some of them are refilled.
-constexpr int steps_of_round = 4;
-
-// Returns the number of thread indices that cover the job, in rectangles of one warp as in blocks_of() in
-// core/job/job.h.
-FN int places_of(const KernelArguments* job)
-{
-    constexpr int warp_width = mandelmarch::job::warp_width;
-    constexpr int warp_height = mandelmarch::job::warp_height;
-    MM_ANEW(job);
-    const int columns = (job->scene.width + warp_width - 1) / warp_width;
-    const int lines = (job->rows + warp_height - 1) / warp_height;
-    return columns * lines * (warp_width * warp_height);
-}
-
-// Returns the difference between successive indices of a thread: the number of threads that march, rounded up to whole
-// blocks.
-FN int stride_of(const KernelArguments* job)
-{
-    constexpr int block_threads = mandelmarch::job::block_threads;
-    const int threads = (places_of(job) + job->pixels_of_thread - 1) / job->pixels_of_thread;
-    return (threads + block_threads - 1) / block_threads * block_threads;
-}
-
-// Returns the first of the thread's indices, from `at` on, whose pixel is in the job; places_of() or more if there is
-// none.
-FN int next_inside(const KernelArguments* job, int at)
-{
-    while (at < places_of(job) && !place_of(job, at).inside) at += stride_of(job);
-    return at;
-}
-
-// Marches the rays of the thread's indices until they stop, with refill: when a ray has stopped, the thread begins the
-// ray of its next index (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs",
-// HPG 2009). The launch has more threads than needed; threads with the index stride_of() or higher do nothing.
-FN void march_pixel(const KernelArguments* job, int thread)
-{
-    if (thread >= stride_of(job)) return;
-    int at = next_inside(job, thread);
-    if (at >= places_of(job)) return;
-    Ray ray = begun(job, place_of(job, at));
-    while (at < places_of(job)) {
-        for (int i = 0; i < steps_of_round && marching(march_scene_of(job), ray); ++i) {
-            ray = march(march_scene_of(job), ray, 1);
-        }
-        if (!marching(march_scene_of(job), ray)) {
-            put_ray(job, place_of(job, at), ray);
-            at = next_inside(job, at + stride_of(job));
-            if (at < places_of(job)) ray = begun(job, place_of(job, at));
-        }
-    }
-}
-#else
-// Marches the thread's ray until it stops.
-FN void march_pixel(const KernelArguments* job, int thread)
-{
-    const Place place = place_of(job, thread);
-    if (!place.inside) return;
-    Ray ray = begun(job, place);
-    while (marching(march_scene_of(job), ray)) ray = march(march_scene_of(job), ray, 1);
-    put_ray(job, place_of(job, thread), ray);
-}
-#endif
-
-FN void shade_pixel(const KernelArguments* job, int thread)
-{
-    Place place = place_of(job, thread);
-    if (!place.inside) return;
-    Ray ray = begun(job, place);
-    if (canonical != 0) ray.before_distance = job->reals[place.at];
-    if (canonical == 0) ray.t = job->reals[place.at];
-    ray.last_t = job->reals[place.at + place.pixels];
-    ray.last_distance = job->reals[place.at + 2 * place.pixels];
-    ray.before_t = job->reals[place.at + 3 * place.pixels];
-    ray.steps = job->wholes[place.at];
-    ray.de_calls = job->wholes[place.at + place.pixels];
-    ray.iterations = job->wholes[place.at + 2 * place.pixels];
-    Hit hit = stopped(scene_of(job), ray);
-    if (canonical != 0) hit = refine(scene_of(job), hit);
-    Pixel pixel = shade(scene_of(job), hit);
-    place = place_of(job, thread);
-    put_pixel(job, place.at, place.pixels, pixel);
-}
-
-// Converts a pixel in the planes to bytes, if the job needs bytes. This is a separate pass, because the conversion
-// would increase the registers of shading.
-FN void bytes_of_pixel(const KernelArguments* job, int at)
-{
-    const int pixels = job->scene.width * job->rows;
-    if (job->bytes == nullptr || at >= pixels) return;
-    put_bytes(job, at, job->reals[at], job->reals[at + pixels], job->reals[at + 2 * pixels]);
-}
-
-#include "core/kernel/prelude/undefine.h"

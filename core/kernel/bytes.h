@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 12: converts colours to bytes, as Image::store() does. For kernels that write bytes only. Before
+// Kernel source, part 13: converts colours to bytes, as Image::store() does. For kernels that write bytes only. Before
 // including it, define MM_TRUNCATED(x) as the language's truncation to int.
 
 // Converts a colour component from 0 to 1 to a byte; NaN becomes 0.

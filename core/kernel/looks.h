@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 10: looks, which are the colouring types 2 and above. Colours are linear light until displayed()
+// Kernel source, part 11: looks, which are the colouring types 2 and above. Colours are linear light until displayed()
 // converts them.
 //   2 limestone  warm stone under a cool sky
 //   3 coral      the orbit trap's colours under the same light

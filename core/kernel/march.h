@@ -2,15 +2,16 @@
 // Kernel source, part 8: marches a ray from the camera until it hits the surface or leaves the scene. Call order:
 // begin(); march() any number of times.
 
-// Begins a ray from the camera. `direction` may have any length.
-FN Ray begin_along(Scene scene, vec3 direction)
+// Begins a ray from the camera. `direction` may have any length. Outside a hull of the size `hull_size`, the ray takes
+// no samples; 0: the hull is unknown.
+FN Ray begin_inside(Scene scene, scalar hull_size, vec3 direction)
 {
     Ray ray;
     ray.direction = unit(direction);
     ray.end = scene.end;
     ray.t = 0;
-    if (scene.hull > 0) {
-        Span span = hull(scene, splat(scene.eye), ray.direction);
+    if (hull_size > 0) {
+        Span span = hull(hull_size, splat(scene.eye), ray.direction);
         // The margin exceeds the rounding error of the end of the span.
         ray.end = smaller(ray.end, span.last * R(1.0001));
         ray.end = pick(span.first <= span.last, larger(ray.end, -1), R(-1.0));
@@ -27,13 +28,17 @@ FN Ray begin_along(Scene scene, vec3 direction)
     return ray;
 }
 
-// Begins the ray through (u, v) of the picture; v = -1 is the bottom.
-FN Ray begin_at(Scene scene, real u, real v)
+FN Ray begin_along(Scene scene, vec3 direction) { return begin_inside(scene, scene.hull, direction); }
+
+// Returns the direction through (u, v) of the picture, not normalised; v = -1 is the bottom.
+FN vec3 direction_at(Scene scene, real u, real v)
 {
     vec3 direction = perspective(scene, u, v);
     if (scene.longitudes > 0) direction = equirectangular(scene, u, v);
-    return begin_along(scene, direction);
+    return direction;
 }
+
+FN Ray begin_at(Scene scene, real u, real v) { return begin_along(scene, direction_at(scene, u, v)); }
 
 // Begins the ray through pixel (i, j); j = 0 is the bottom row.
 FN Ray begin(Scene scene, real i, real j)
@@ -86,56 +91,6 @@ FN Ray advanced(Scene scene, Ray ray, Estimate here, mask on)
 }
 
 FN Ray advance(Scene scene, Ray ray, mask on) { return advanced(scene, ray, probe(scene, ray, on), on); }
-
-// Returns how far a cone can advance without any of its rays hitting. A cone contains the rays whose distance from its
-// axis is at most `width` at distance 1 from the camera. A point whose distance from a point of the axis is less than
-// the estimate there cannot be on the surface. Estimates of fractals can change faster than the distance, so cones are
-// used in fast mode only.
-FN real cone_gap(Scene scene, Ray ray, real distance, scalar width)
-{
-    return quick_quotient(distance - (width + scene.tolerance) * ray.t, 1 + width + scene.tolerance);
-}
-
-// Takes one step of a cone. It is relaxed like a ray's step, and uses the gap instead of the estimate. When the step
-// would be shorter than the cone is wide, the cone ends, and `last_distance` is set to 0.
-FN Ray advanced_cone(Scene scene, Ray ray, scalar width, Estimate here, mask on)
-{
-    real t = ray.t;
-    here.distance = cone_gap(scene, ray, here.distance, width);
-    mask narrow = here.distance <= width * t;
-    ray = advanced(scene, ray, here, on);
-    mask ended = on && narrow && ray.last_t == t;
-    ray.last_distance = pick(ended, 0, ray.last_distance);
-    ray.t = pick(ended, t, ray.t);
-    return ray;
-}
-
-// Returns true while the cone has not ended, is in the scene, and has steps left.
-FN mask cone_goes(Ray ray) { return ray.last_distance > 0 && ray.t <= ray.end && ray.steps < most_cone_steps(); }
-
-// Moves the beginning of a ray to `start`, a result of neighbour_start(), if `start` is farther.
-FN Ray begun_by_neighbours(Ray ray, real start)
-{
-    ray.last_t = pick(start > ray.t, ray.t, 0);
-    ray.t = larger(start, ray.t);
-    return ray;
-}
-
-// Returns true if a ray began at neighbour_start() and its first sample there is already a hit. The ray may then have
-// begun behind the surface, and must begin again, without neighbours, by begun_alone().
-FN mask begun_too_late(Scene scene, Ray ray)
-{
-    return has_hit(scene, ray) && ray.before_t > 0 && ray.before_distance == scene.end;
-}
-
-FN Ray begun_alone(Scene scene, Ray ray, mask on)
-{
-    ray.t = pick(on, ray.before_t, ray.t);
-    ray.last_t = pick(on, 0, ray.last_t);
-    ray.last_distance = pick(on, scene.end, ray.last_distance);
-    ray.before_t = pick(on, 0, ray.before_t);
-    return ray;
-}
 
 // Advances every marching ray by at most `steps` steps.
 FN Ray march(Scene scene, Ray ray, int steps)

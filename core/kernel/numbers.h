@@ -37,7 +37,7 @@ FN real natural_log(real x)
     return pick(x > 0, ln_x, R(-1.0e30));
 }
 
-#ifndef MM_HAS_ROUGH
+#ifndef MM_HAS_ROUGH_LOG
 FN real rough_log(real x) { return natural_log(x); }
 #endif
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 9: finds the point on the surface that a stopped ray has hit. Call order: stopped(); refine() any
-// number of times, only for canonical pictures; landing(). The canonical hit is the root of f(t) = DE(t) - tolerance t
-// between the ray's last two samples, which are the first bracket.
+// Kernel source, part 10: finds the point on the surface that a stopped ray has hit. Call order: stopped(); refine()
+// any number of times, only for canonical pictures; landing(). The canonical hit is the root of f(t) = DE(t) -
+// tolerance t between the ray's last two samples, which are the first bracket.
 
 // Values of Hit::state.
 FN real no_hit() { return 0; }       // the ray has left the scene or used all its steps

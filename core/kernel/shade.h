@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 11: computes the colour of a pixel from its hit.
+// Kernel source, part 12: computes the colour of a pixel from its hit.
 
 struct Normal {
     vec3 direction;  // unit vector
@@ -194,10 +194,13 @@ FN Pixel shade(Scene scene, Hit hit)
     return pixel;
 }
 
-// Renders a pixel completely.
-FN Pixel draw(Scene scene, real i, real j)
+// Returns the pixel of a ray that has stopped.
+FN Pixel drawn(Scene scene, Ray ray)
 {
-    Hit hit = stopped(scene, march(scene, begin(scene, i, j), scene.max_steps));
+    Hit hit = stopped(scene, ray);
     if (scene.canonical != 0) hit = refine(scene, hit);
     return shade(scene, hit);
 }
+
+// Renders a pixel completely.
+FN Pixel draw(Scene scene, real i, real j) { return drawn(scene, march(scene, begin(scene, i, j), scene.max_steps)); }

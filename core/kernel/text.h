@@ -19,6 +19,7 @@
 #include "core/kernel/stepping.h"
 #include "core/kernel/camera.h"
 #include "core/kernel/march.h"
+#include "core/kernel/starts.h"
 #include "core/kernel/refine.h"
 #include "core/kernel/looks.h"
 #include "core/kernel/shade.h"

@@ -25,7 +25,8 @@ FN vec3 pick3(mask on, vec3 a, vec3 b) { return vec3(pick(on, a.x, b.x), pick(on
 FN vec3 splat(triple a) { return vec3(a.x, a.y, a.z); }
 
 // Functions that return the max or min of a and b; b if one of them is NaN. A prelude can define these functions as
-// single instructions.
+// single instructions. On GPUs, in fast mode and float, they return a if b is NaN. Callers may rely only on a result
+// that is not NaN if b is not NaN.
 #ifndef MM_HAS_LARGER
 FN real larger(real a, real b) { return pick(a > b, a, b); }
 

@@ -101,6 +101,14 @@ void add_work(Work& work, const Planes<Real>& planes, int width, int height)
     }
 }
 
+void add_cone_work(Work& work, std::span<const int> cones)
+{
+    for (std::size_t at = 0; at + 1 < cones.size(); at += 2) {
+        work.de_calls += static_cast<std::uint64_t>(cones[at]);
+        work.iterations += static_cast<std::uint64_t>(cones[at + 1]);
+    }
+}
+
 template void add_work(Work&, const Planes<float>&, int, int);
 template void add_work(Work&, const Planes<double>&, int, int);
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -42,8 +43,8 @@ struct Device {
 struct Techniques {
     bool hull = true;              // rays end, and in fast mode begin, at a bounding volume of the surface
     bool relaxation = true;        // fast: steps longer than the estimate, and short steps close to a hit
-    bool cones = true;             // fast, openmp: a cone around the rays of 8 x 8 pixels finds where they can begin
-    bool neighbours = true;        // fast, openmp: rays begin near the hits of surrounding pixels
+    bool cones = true;             // fast: a cone around the rays of a tile finds where they can begin
+    bool neighbours = true;        // fast, CPUs: rays begin near the hits of surrounding pixels
     bool trial = true;             // fast: a small trial render decides whether steps must be shorter
     bool refinement = true;        // fast: hits are refined to the canonical root; false: by one secant only
     bool shared_occlusion = true;  // fast, openmp, films: adjacent pixels of one surface share the occlusion of a look
@@ -101,6 +102,9 @@ Work& operator+=(Work& to, const Work& from);
 // Adds the work counts of width x height pixels.
 template <class Real>
 void add_work(Work& work, const Planes<Real>& planes, int width, int height);
+
+// Adds the work of cones: for each cone its DE evaluations, then its iterations.
+void add_cone_work(Work& work, std::span<const int> cones);
 
 // The resources that a thread of a kernel needs, as compiled by the driver.
 struct KernelResources {

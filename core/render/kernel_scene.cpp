@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
+#include "core/render/spacing.h"
 #include "core/render/stepping.h"
 #include "core/scene/fractal.h"
 #include "core/scene/hull.h"
@@ -27,8 +28,8 @@ template <class Layout>
 constexpr bool layout_is_portable()
 {
     constexpr std::size_t real = sizeof(Layout::tolerance);
-    return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 13 * real &&
-           offsetof(Layout, eye) == 32 + 24 * real && sizeof(Layout) == 32 + 44 * real;
+    return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 15 * real &&
+           offsetof(Layout, eye) == 32 + 28 * real && sizeof(Layout) == 32 + 48 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
@@ -142,6 +143,8 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
     put_camera(scene, k);
+    k.spacing = spacing_of(k);
+    k.subtile_hull = subtile_hull_of(k, *scene.fractal);
     return k;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders a region of a picture, for prints that are larger than memory, or to divide the work among machines. In
-// exact mode every bit is the same as in the whole picture. In fast mode, openmp's rays begin near the hits of
-// neighbouring pixels. At the edge of a region other neighbours are available, so the last digits of pixels, and
+// exact mode every bit is the same as in the whole picture. In fast mode, rays may begin near the hits of neighbouring
+// pixels. At the edge of a region other neighbours are available, so the last digits of pixels, and
 // occasionally a whole pixel, differ.
 #pragma once
 

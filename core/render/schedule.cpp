@@ -29,6 +29,10 @@ struct Plan {
     int all_tries = 0;      // max refinements of a hit, over all passes
 };
 
+// Returns the loop iterations to plan for: half of the device's limit. The other half is a margin for iterations that
+// Loops does not count.
+std::int64_t planned_of(const LoopLimit& limit) { return limit.survived / 2; }
+
 Plan plan_of(const Scene& scene, Mode mode, const std::optional<LoopLimit>& limit)
 {
     Plan plan;
@@ -41,8 +45,7 @@ Plan plan_of(const Scene& scene, Mode mode, const std::optional<LoopLimit>& limi
             "iterations or the types 0 and 1",
             scene.colouring, scene.iterations));
     }
-    // Plans for half of the device's limit; the other half is a margin for iterations that Loops does not count.
-    const std::int64_t planned = survived / 2;
+    const std::int64_t planned = planned_of(*limit);
     const std::int64_t refining = mode == Mode::fast ? loops.refine : 0;
     const auto fit = [&](std::int64_t each, std::int64_t most) {
         return static_cast<int>(std::clamp<std::int64_t>((planned - loops.pass) / each, 1, most));
@@ -54,7 +57,31 @@ Plan plan_of(const Scene& scene, Mode mode, const std::optional<LoopLimit>& limi
     return plan;
 }
 
+// Renders the pixels of a band's lattice. Calls `report` between passes.
+template <class Report>
+void draw_lattice(const Plan& plan, Mode mode, const Band& band, Executor& executor, const Report& report)
+{
+    if (plan.whole) {
+        executor.run(Entry::draw, band, max_steps);
+        return;
+    }
+    executor.run(Entry::begin, band, 0);
+    do {
+        report();
+        executor.run(Entry::march, band, plan.steps);
+    } while (executor.marching(band));
+    for (int done = 0; mode == Mode::fast && done < plan.all_tries; done += plan.tries) {
+        executor.run(Entry::refine, band, std::min(plan.tries, plan.all_tries - done));
+    }
+    executor.run(Entry::shade, band, 0);
+}
+
 }  // namespace
+
+bool cones_fit(const LoopLimit& limit)
+{
+    return limit.of_scene.pass + most_cone_steps * limit.of_scene.step <= planned_of(limit);
+}
 
 int rows_per_band(const Scene& scene, const Limits& limits)
 {
@@ -73,25 +100,23 @@ void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor&
 {
     const Plan plan = plan_of(scene, mode, limits.loops);
     const int rows = rows_per_band(scene, limits);
-    const bool by_time = limits.seconds_per_band > 0;
+    const Starts& starts = limits.starts;
+    const bool by_time = limits.seconds_per_band > 0 && !has_starts(starts);
     int next = by_time ? static_cast<int>(std::clamp<std::int64_t>(first_band / scene.width, 1, rows)) : rows;
     const auto share = [&](int row) { return static_cast<double>(row - image.first_row()) / image.height(); };
     for (int row = image.first_row(); row < image.end_row();) {
         const Clock::time_point start = Clock::now();
-        const Band band{row, std::min(next, image.end_row() - row)};
-        if (plan.whole) {
-            executor.run(Entry::draw, band, max_steps);
-        } else {
-            executor.run(Entry::begin, band, 0);
-            do {
-                // Reports progress, and stops if the picture is cancelled, because a band may take many passes.
+        Band band{row, std::min(next, image.end_row() - row)};
+        for (int pass = 0; pass < starts.cone_passes; ++pass) {
+            band.cones = starts.cones[pass];
+            executor.run(Entry::cones, band, 0);
+        }
+        for (const Lattice& lattice : starts.lattices) {
+            band.lattice = lattice;
+            // Reports progress, and stops if the picture is cancelled, because a band may take many passes.
+            draw_lattice(plan, mode, band, executor, [&] {
                 if (progress) progress(share(row));
-                executor.run(Entry::march, band, plan.steps);
-            } while (executor.marching(band));
-            for (int done = 0; mode == Mode::fast && done < plan.all_tries; done += plan.tries) {
-                executor.run(Entry::refine, band, std::min(plan.tries, plan.all_tries - done));
-            }
-            executor.run(Entry::shade, band, 0);
+            });
         }
         executor.read_back(band, image);
         row += band.rows;

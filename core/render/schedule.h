@@ -8,17 +8,20 @@
 #include <optional>
 
 #include "core/render/backend.h"
+#include "core/render/lattice.h"
 
 namespace mandelmarch {
 
-// The kernel's entry points. `draw` renders a pixel completely. The other entry points are the stages of `draw`.
-// Between two stages, rays are stored.
-enum class Entry { draw, begin, march, refine, shade };
+// The kernel's entry points. `cones` marches a cone for each tile. `draw` renders a pixel completely. The other entry
+// points are the stages of `draw`. Between two stages, rays are stored.
+enum class Entry { cones, draw, begin, march, refine, shade };
 
-// Rows [first_row, first_row + rows) of the picture, counted from the bottom.
+// Rows [first_row, first_row + rows) of the picture, counted from the bottom, and what a pass does in them.
 struct Band {
     int first_row;
     int rows;
+    Lattice lattice = {0, 1};  // the pixels of a pass that is not of cones
+    Cones cones = {};          // the cones of a pass of cones
 };
 
 // Max number of iterations of all loops of an invocation, including nested ones. The end of a loop counts as one more
@@ -26,7 +29,7 @@ struct Band {
 // once.
 struct Loops {
     std::int64_t pass;    // of a pass that marches or refines, without its steps or refinements
-    std::int64_t step;    // of one marching step
+    std::int64_t step;    // of one marching step of a ray or a cone
     std::int64_t tried;   // of one refinement of a hit
     std::int64_t refine;  // of all refinements of a hit
     std::int64_t shade;   // of shading
@@ -37,13 +40,21 @@ struct LoopLimit {
     Loops of_scene;         // counted by loops_of() of instruments/loops.h
 };
 
+// Max steps of a cone, as in core/kernel/stepping.h.
+inline constexpr std::int64_t most_cone_steps = 100;
+
+// Returns true if an invocation may march a whole cone.
+bool cones_fit(const LoopLimit& limit);
+
 // Limits of a device for a single pass.
 struct Limits {
     std::int64_t pixels_per_band;           // max pixels of a band, the capacity of the device's buffers
     std::int64_t pixels_to_fill = 1 << 16;  // min pixels of a band that keep the device busy
     std::optional<LoopLimit> loops{};       // empty: an invocation may loop as often as it needs
+    Starts starts = {};                     // the passes that find where rays begin
     // Target seconds of a band: bands begin small and grow until they take that long, so that a picture on a slow
-    // device can be cancelled soon. 0: all bands have the same size.
+    // device can be cancelled soon. 0: all bands have the same size. Not used with cones or lattices, because pixels
+    // then depend on the band's rows, and must not depend on times.
     double seconds_per_band = 0;
 };
 
@@ -82,9 +93,9 @@ class Executor {
 public:
     virtual ~Executor() = default;
 
-    // Runs an entry point on every pixel of the band. For `march`, `steps` is the max number of steps of a ray in this
-    // pass; for `refine`, it is the max number of refinements of a hit. May return before the device has finished;
-    // marching() and read_back() wait for it.
+    // Runs an entry point on every tile of the band's cones, or on every pixel of its lattice. For `march`, `steps` is
+    // the max number of steps of a ray in this pass; for `refine`, it is the max number of refinements of a hit. May
+    // return before the device has finished; marching() and read_back() wait for it.
     virtual void run(Entry entry, const Band& band, int steps) = 0;
 
     // Called after `march`. Returns true while any ray of the band has neither hit nor left the scene.
@@ -94,9 +105,9 @@ public:
     virtual void read_back(const Band& band, Image& image) = 0;
 };
 
-// Renders the scene band by band. If an invocation may compute a whole pixel, a band is rendered by one pass of `draw`.
-// Otherwise the band takes a pass of `begin`, passes of `march` until all rays have stopped, passes of `refine` in fast
-// mode, and a pass of `shade`.
+// Renders the scene band by band. A band's cones come first, then its lattices one after the other. If an invocation
+// may compute a whole pixel, a lattice is rendered by one pass of `draw`. Otherwise it takes a pass of `begin`, passes
+// of `march` until all rays have stopped, passes of `refine` in fast mode, and a pass of `shade`.
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress);
 

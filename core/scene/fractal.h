@@ -48,7 +48,7 @@ FractalInputs<double> inputs_of(const Scene& scene, double largest = float_range
 // Constants that only the fractal's own kernel source uses. They are the same for all pixels.
 template <class Number>
 struct FractalConstants {
-    std::array<Number, 11> values{};
+    std::array<Number, 13> values{};
     Number whole = 0;
 };
 

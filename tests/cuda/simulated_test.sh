@@ -4,6 +4,8 @@
 # exits with the right code.
 backend=cuda
 wrote=nvcc
+most_calls=15
+never_again=cuMemAlloc_v2
 . "$(dirname "$script")/../openacc/simulated.sh"
 export SIMULATED_CAPABILITY=90
 

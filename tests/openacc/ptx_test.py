@@ -14,12 +14,14 @@ import gpu_expected  # noqa: E402
 import machine_code  # noqa: E402
 
 # Allowed registers per thread, by GPU, kind of kernel and precision. With this many registers, a multiprocessor of the
-# K40 can hold 9 (march, float), 5 (march, double), 6 (shade, float), 3 (shade, double) or 16 (bytes) blocks of 128
-# threads at once. A multiprocessor of the H100 can hold 7, 5, 5, 3 or 16.
+# K40 can hold 9 (march, float), 5 (march, double), 6 (cones and shade, float), 3 (cones and shade, double) or 16 (bytes)
+# blocks of 128 threads at once. A multiprocessor of the H100 can hold 7, 5, 5, 3 or 16.
 MOST_REGISTERS = {
-    "K40": {("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
+    "K40": {("cones", "float"): 80, ("cones", "double"): 144,
+            ("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
             ("bytes", "float"): 32, ("bytes", "double"): 32},
-    "H100": {("march", "float"): 72, ("march", "double"): 96, ("shade", "float"): 96, ("shade", "double"): 144,
+    "H100": {("cones", "float"): 80, ("cones", "double"): 144,
+             ("march", "float"): 72, ("march", "double"): 96, ("shade", "float"): 96, ("shade", "double"): 144,
              ("bytes", "float"): 32, ("bytes", "double"): 32},
 }
 
@@ -50,7 +52,7 @@ def check_expected():
     """Returns the faults that it finds in the prediction of times (tools/gpu_expected.py). Checks the loops found in a
     march, the cycles of their instructions, and the longest ray."""
     found = []
-    march = machine_code.march_of(machine_code.ptx(LOOPS, {("div", "f32"): 8}), {"double": 20})
+    march = machine_code.march_of(machine_code.ptx(LOOPS, {"div.rn.f32": 8}), {"double": 20})
     if march != (20, 3, 11, 3, False):
         found.append(f"loops: {march}, expected 20 cycles for 11 instructions a round, 3 for 3 a step")
     try:
@@ -63,7 +65,7 @@ def check_expected():
     seconds = gpu_expected.expected(gpu, march, steps, rounds, (0.5, 0.25))
     if seconds != ((3 * 320 / 0.5 + 20 * 3200 / 0.25) / 32 / 4, 4 * (3 * 10 + 11 * 100)):
         found.append(f"{seconds} s expected of a march")
-    single, double = gpu_expected.expansion("div", "f32"), gpu_expected.expansion("div", "f64")
+    single, double = gpu_expected.expansion("div.rn.f32"), gpu_expected.expansion("div.rn.f64")
     if not 4 < single < double < 100:
         found.append(f"a division becomes {single} instructions in float, {double} in double")
     return found
@@ -78,7 +80,10 @@ def check_text(ptx, fractals):
         "a double's register": changed(ptx, f"{march}_float_exact", r"\.reg \.f32 (%r\d+);", r".reg .f64 \1;"),
         "without .rn": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "mul.f32"),
         "behind a predicate": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "@ ! %r1 mul.f32"),
-        "approximate": changed(ptx, f"{march}_float_fast", r"sqrt\.rn\.f32", "sqrt.approx.f32"),
+        "approximate": changed(ptx, f"{march}_float_exact", r"sqrt\.rn\.f32", "sqrt.approx.ftz.f32"),
+        "approximate double": changed(ptx, f"{march}_double_fast", r"sqrt\.rn\.f64", "sqrt.approx.ftz.f64"),
+        "not approximate": changed(ptx, f"{march}_float_fast", r"rcp\.approx\.ftz\.f32", "rcp.rn.f32"),
+        "max": changed(ptx, f"{march}_float_exact", r"selp\.f32 (%r\d+),([^,]+),([^,]+),%r\d+;", r"max.f32 \1,\2,\3;"),
         "flushing": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.ftz.f32"),
         "another target": ptx.replace(".target sm_35", ".target sm_70"),
         "blocks of an unknown size": re.sub(r"\.maxntid 128, 1, 1\n", "", ptx, count=1),
@@ -102,7 +107,7 @@ def check_assembled(ptx, fractals):
     for gpu, architecture, ptxas, _ in k40.GPUS:
         results = k40.resources(ptx, k40.pinned(ptxas), architecture)
         found += [f"{gpu}: {fault}" for fault in spills(results)]
-        if len(results) != 12 * len(fractals) + 2:
+        if len(results) != 14 * len(fractals) + 2:
             found.append(f"{gpu}: {len(results)} kernels assembled, the two of the peak included")
         for name, (registers, _, _) in results.items():
             if k40.PEAK.match(name + "$_omp_fn$0"):

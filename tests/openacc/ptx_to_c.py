@@ -16,22 +16,33 @@ COMPARISONS = {"eq": "==", "ne": "!=", "neu": "!=", "lt": "<", "le": "<=", "gt":
 UNORDERED = {"ltu": ">=", "leu": ">", "gtu": "<=", "geu": "<"}  # the opposites, to be negated: true for NaN
 INFIX = {"xor": "^", "add": "+", "sub": "-", "mul": "*", "div": "/", "rem": "%", "and": "&", "or": "|"}
 SPECIAL = {"%tid.x": "tid", "%ctaid.x": "ctaid", "%nctaid.x": "nctaid", "%ntid.x": "threads_of_block"}
-NVCC_ENTRY = re.compile(r"^\.visible \.entry (mandelmarch_cuda_(?:march|shade|bytes)_\w+)\([^)]*\)\s*\{(.*?)^\}", re.M | re.S)
+NVCC_ENTRY = re.compile(r"^\.visible \.entry (mandelmarch_cuda_(?:cones|march|shade|bytes)_\w+)\([^)]*\)\s*\{(.*?)^\}", re.M | re.S)
 LINE = re.compile(r"(?:@\s*(!?)\s*(%\w+)\s+)?([a-z][\w.]*)\s*(.*?);$")
 
 HEADER = """#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
+// A function whose calls are not counted.
+#define OWN static __attribute__((no_instrument_function))
 static uint64_t broadcast[64];  // shared memory
 static unsigned threads_of_block;  // of a launch
-static double f64_of(uint64_t bits) { double f; memcpy(&f, &bits, 8); return f; }
-static float f32_of(uint32_t bits) { float f; memcpy(&f, &bits, 4); return f; }
-static int32_t s32_of(double a) { return a != a ? 0 : a >= 0x1p31 ? INT32_MAX : a < -0x1p31 ? INT32_MIN : (int32_t)a; }
-static int64_t s64_of(double a) { return a != a ? INT64_MIN : a >= 0x1p63 ? INT64_MAX : a < -0x1p63 ? INT64_MIN : (int64_t)a; }
+OWN double f64_of(uint64_t bits) { double f; memcpy(&f, &bits, 8); return f; }
+OWN float f32_of(uint32_t bits) { float f; memcpy(&f, &bits, 4); return f; }
+OWN int32_t s32_of(double a) { return a != a ? 0 : a >= 0x1p31 ? INT32_MAX : a < -0x1p31 ? INT32_MIN : (int32_t)a; }
+OWN int64_t s64_of(double a) { return a != a ? INT64_MIN : a >= 0x1p63 ? INT64_MAX : a < -0x1p63 ? INT64_MIN : (int64_t)a; }
 // Max and min as in PTX: if one operand is NaN, the result is the other one; +0 is larger than -0.
-static double larger(double a, double b) { return a != a ? b : b != b ? a : a > b ? a : b > a ? b : signbit(a) ? b : a; }
-static double smaller(double a, double b) { return a != a ? b : b != b ? a : a < b ? a : b < a ? b : signbit(a) ? a : b; }
+OWN double larger(double a, double b) { return a != a ? b : b != b ? a : a > b ? a : b > a ? b : signbit(a) ? b : a; }
+OWN double smaller(double a, double b) { return a != a ? b : b != b ? a : a < b ? a : b < a ? b : signbit(a) ? a : b; }
+// The suffix .ftz: subnormal numbers become zero.
+OWN float flushed(float a) { return fabsf(a) < 0x1p-126f ? copysignf(0, a) : a; }
+// Approximate operations of GPUs differ. Here their results are one unit in the last place too large or too small.
+OWN float approximate(float a)
+{
+    uint32_t bits;
+    memcpy(&bits, &a, 4);
+    return a == 0 || !isfinite(a) ? a : flushed(nextafterf(a, bits * 2654435769u >> 31 ? INFINITY : -INFINITY));
+}
 """
 
 
@@ -120,6 +131,8 @@ class Kernel:
             return f"({wide}){values[0]} * ({wide}){values[1]}"
         if word in ("min", "max") and kind in ("f32", "f64"):
             return f"{'smaller' if word == 'min' else 'larger'}({values[0]}, {values[1]})"
+        if "approx" in suffixes:
+            return f"approximate({self.approximated(word, *(f'flushed({value})' for value in values))})"
         if word in INFIX:
             return f"{values[0]} {INFIX[word]} {values[1]}"
         by_word = {"mad": "{0} * {1} + {2}", "fma": "FMA({0}, {1}, {2})", "neg": "-{0}", "abs": "FABS({0})",
@@ -136,8 +149,11 @@ class Kernel:
         text = by_word[word].replace("FMA", "fma" + end).replace("FABS", "fabs" + end).replace("SQRT", "sqrt" + end)
         return text.format(*values)
 
+    def approximated(self, word, a, b=None):
+        return {"div": f"{a} / {b}", "rcp": f"1 / {a}", "sqrt": f"sqrtf({a})", "rsqrt": f"1 / sqrtf({a})", "lg2": f"log2f({a})"}[word]
+
     def c_text(self):
-        out = [f"static void {self.c_name()}(uint64_t argument, uint32_t tid, uint32_t ctaid, uint32_t nctaid)\n{{"]
+        out = [f"OWN void {self.c_name()}(uint64_t argument, uint32_t tid, uint32_t ctaid, uint32_t nctaid)\n{{"]
         out += [f"{C_TYPES[kind]} {name};" for name, kind in self.types.items()]
         for line in self.lines:
             line = line.split("//")[0].strip()

@@ -2,7 +2,7 @@
 # Sourced by the scripts with cases of openacc and cuda on a simulated GPU (simulated_cuda.c), which runs a program's
 # PTX, translated to C. tests/cases.sh runs these cases with BIN SOURCE GPU COMPILER PYTHON. GPU is the folder of the
 # simulated GPU's driver, which the case `driver` makes for the other cases. The script must set the variables
-# `backend`, the name of the backend, and `wrote`, the compiler of its PTX.
+# `backend`, the name of the backend; `wrote`, the compiler of its PTX; `most_calls` and `never_again`, for test_calls.
 bin=$1
 source=$2
 gpu=$3
@@ -18,7 +18,7 @@ seconds() { sed -n "s/.*\"$1\": \([0-9.e-]*\),\{0,1\}$/\1/p" a.json; }
 # driver FOLDER [SOURCE]: builds a driver, FOLDER/libcuda.so.1. Without SOURCE, it simulates a GPU that runs the kernels
 # of FOLDER/kernels.h.
 driver() {
-    "$compiler" -x c -std=gnu11 -O1 -ffp-contract=off -fno-math-errno -w -shared -fPIC -I"$1" \
+    "$compiler" -x c -std=gnu11 -O1 -ffp-contract=off -fno-math-errno -finstrument-functions -w -shared -fPIC -I"$1" \
         "${2:-$source/tests/openacc/simulated_cuda.c}" -lm -o "$1/libcuda.so.1"
 }
 
@@ -81,4 +81,30 @@ test_little_memory() {
     says 'Simulated K40 number 0 has .* bytes of memory free'
     [ -e b.png ] && fail "a picture from a GPU that failed"
     SIMULATED_MEMORY=80000 expect 0 bulb --output c.png  # in many bands
+}
+
+# called ROUNDS: counts the driver's calls in a run of bench: a file with a line `NAME NUMBER` for each function.
+called() {
+    rm -f called
+    SIMULATED_CALLS=$PWD/called MANDELMARCH_BACKENDS=$backend expect 0 "$bin/bench" --backend $backend --fractal bulb \
+        --precision float --mode fast --size 60x40 --repetitions "$1" --no-peaks
+    sort called | uniq -c | awk '{ print $2, $1 }' >"called$1"
+}
+# calls FUNCTION FILE...: prints how often a function (`.*`: any) was called.
+calls() { awk -v name="^$1\$" '$1 ~ name { sum += $2 } END { print sum + 0 }' "$2"; }
+
+# One more picture takes three launches and at most $most_calls calls of the driver. None of them asks for free memory,
+# makes an event or, on cuda, allocates memory.
+test_calls() {
+    local more name
+    called 2
+    called 12
+    more=$(($(calls cuLaunchKernel called12) - $(calls cuLaunchKernel called2)))
+    [ $more -ge 30 ] || fail "$more launches in ten more rounds"
+    [ $((3 * ($(calls '.*' called12) - $(calls '.*' called2)))) -le $((most_calls * more)) ] ||
+        fail "over $most_calls calls a picture, in $((more / 3)) pictures: $(diff called2 called12)"
+    for name in cuMemGetInfo_v2 cuEventCreate $never_again; do
+        [ "$(calls $name called12)" = "$(calls $name called2)" ] || fail "$name is called again: $(diff called2 called12)"
+        [ "$(calls $name called2)" -gt 0 ] || fail "negative control: $name is never called"
+    done
 }

@@ -11,8 +11,11 @@
 //   SIMULATED_REGISTERS   registers per thread of each kernel (default 100)
 //   SIMULATED_FAULT       launch, lost or timeout: the first kernel fails in this way; link: gcc's kernels do not link;
 //                         version: the PTX has a version that the driver does not support
+//   SIMULATED_CALLS       file to which the name of each called function is appended
+#define _GNU_SOURCE
 #include "kernels.h"
 
+#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -24,6 +27,7 @@ enum {
     OUT_OF_RESOURCES = 701,
     UNSUPPORTED_PTX_VERSION = 222,
     NOT_FOUND = 500,
+    NOT_PERMITTED = 800,
     NOT_SUPPORTED = 801
 };
 
@@ -47,6 +51,23 @@ static int has_fault(const char* name)
     const char* fault = getenv("SIMULATED_FAULT");
     return fault && strcmp(fault, name) == 0;
 }
+
+// The compiler inserts calls of these two functions at the begin and the end of all others (-finstrument-functions).
+// They are hidden, because the C library has functions with the same names.
+#define HOOK __attribute__((no_instrument_function, visibility("hidden")))
+static __thread int depth;  // 1 in a function that was called from outside
+HOOK void __cyg_profile_func_enter(void* function, void* caller)
+{
+    Dl_info found;
+    const char* name = getenv("SIMULATED_CALLS");
+    (void)caller;
+    if (depth++ > 0 || !name || !dladdr(function, &found) || !found.dli_sname) return;
+    FILE* file = fopen(name, "a");
+    if (!file) return;
+    fprintf(file, "%s\n", found.dli_sname);
+    fclose(file);
+}
+HOOK void __cyg_profile_func_exit(void* function, void* caller) { (void)function, (void)caller, --depth; }
 
 int cuInit(unsigned flags) { return flags == 0 ? SUCCESS : NOT_SUPPORTED; }
 int cuDriverGetVersion(int* version) { return *version = 11040, SUCCESS; }
@@ -119,7 +140,15 @@ int cuStreamDestroy(void* stream) { return cuStreamDestroy_v2(stream); }
 int cuStreamSynchronize(void* stream) { return (void)stream, cuCtxSynchronize(); }
 int cuStreamQuery(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
 int cuStreamWaitEvent(void) { return NOT_SUPPORTED; }
-int cuStreamAddCallback(void) { return NOT_SUPPORTED; }
+// Kernels run when they are launched, so the stream's work is done. A callback must not call the driver.
+static int in_callback;
+int cuStreamAddCallback(void* stream, void (*callback)(void*, int, void*), void* data, unsigned flags)
+{
+    (void)flags;
+    in_callback = 1;
+    callback(stream, SUCCESS, data);
+    return in_callback = 0, SUCCESS;
+}
 // The GPU's clock. Each kernel takes a second, and nothing else takes time.
 static int seconds;
 int cuEventCreate(int** event, unsigned flags)
@@ -130,7 +159,7 @@ int cuEventCreate(int** event, unsigned flags)
 }
 int cuEventDestroy_v2(int* event) { return free(event), SUCCESS; }
 int cuEventDestroy(int* event) { return cuEventDestroy_v2(event); }
-int cuEventRecord(int* event, void* stream) { return *event = seconds, stream ? NOT_SUPPORTED : SUCCESS; }
+int cuEventRecord(int* event, void* stream) { return (void)stream, *event = seconds, SUCCESS; }
 int cuEventSynchronize(int* event) { return *event >= 0 ? SUCCESS : NOT_FOUND; }
 int cuEventQuery(int* event) { return cuEventSynchronize(event); }
 int cuEventElapsedTime(float* milliseconds, int* first, int* last)
@@ -175,7 +204,9 @@ static unsigned number_of_registers(void) { return (unsigned)number("SIMULATED_R
 int cuFuncGetAttribute(int* value, int attribute, void* function)
 {
     const unsigned registers = number_of_registers();
-    *value = attribute == 0 ? (int)(65536 / registers / 32 * 32) : attribute == 4 ? (int)registers : 0;  // 0: threads per block
+    *value = attribute == 0   ? (int)(65536 / registers / 32 * 32)
+             : attribute == 4 ? (int)registers
+                              : 0;  // 0: threads per block
     return function ? SUCCESS : NOT_FOUND;
 }
 int cuOccupancyMaxPotentialBlockSize(int* grid, int* block) { return *grid = 60, *block = 512, SUCCESS; }
@@ -189,6 +220,7 @@ int cuMemGetInfo(size_t* free_bytes, size_t* total) { return cuMemGetInfo_v2(fre
 int cuMemAlloc_v2(uint64_t* address, size_t bytes)
 {
     if (taken + bytes > number("SIMULATED_MEMORY", 1ull << 30)) return OUT_OF_MEMORY;
+    if (block_count == sizeof blocks / sizeof *blocks) return OUT_OF_MEMORY;
     taken += bytes;
     *address = (uint64_t)malloc(bytes);
     blocks[block_count].address = *address;
@@ -216,6 +248,7 @@ int cuMemFree(uint64_t address) { return cuMemFree_v2(address); }
 int cuMemGetAddressRange_v2(uint64_t* begin, size_t* bytes, uint64_t address)
 {
     const int at = block_of(address);
+    if (in_callback) return NOT_PERMITTED;
     if (at < 0) return NOT_FOUND;
     if (begin) *begin = blocks[at].address;
     if (bytes) *bytes = blocks[at].bytes;
@@ -251,7 +284,8 @@ int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned gr
 {
     (void)shared, (void)stream, (void)extra;
     const int fits = number("SIMULATED_BLOCKS", 0) ? block_x % 32 == 0 && block_x <= 1024 : block_x == 128;
-    if (grid_y * grid_z * block_y * block_z != 1 || !fits || block_x * number_of_registers() > 65536) return OUT_OF_RESOURCES;
+    if (grid_y * grid_z * block_y * block_z != 1 || !fits || block_x * number_of_registers() > 65536)
+        return OUT_OF_RESOURCES;
     threads_of_block = block_x;
     if (has_fault("launch")) return OUT_OF_RESOURCES;
     if (has_fault("timeout")) return pending = LAUNCH_TIMEOUT, SUCCESS;

@@ -3,6 +3,8 @@
 # selected. If the GPU fails, the program prints one line and exits with the right code.
 backend=openacc
 wrote=gcc
+most_calls=52
+never_again=
 . "$(dirname "$script")/simulated.sh"
 
 # Devices 0 to 2 are the simulated GPUs, device 3 is the host.

@@ -55,6 +55,17 @@ test_limited() {
     same small-buffers --precision float
 }
 
+# On a device that calls itself a GPU of NVIDIA, native functions draw the fast pictures in float, and no others.
+test_native_words() {
+    local visible
+    both nvidia --precision float --mode fast --simd-width 1
+    other_picture expected.exr picture.exr
+    visible=$(sed -n 's/.* \([0-9]*\) by more than .*/\1/p' difference)
+    [ "$visible" -le 12 ] || fail "$visible of 1200 pixels differ visibly"
+    same nvidia --precision double --mode fast --simd-width 1
+    same nvidia --precision float --mode exact --simd-width 1
+}
+
 # A wrong picture fails verification. bench reports the failure and times the other backends.
 test_garbage() {
     MANDELMARCH_MISCONDUCT="map garbage" LD_PRELOAD=$shim "$bin/bench" --fractal box --precision float --mode exact \

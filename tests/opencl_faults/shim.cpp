@@ -124,6 +124,15 @@ cl_int clGetDeviceInfo(cl_device_id device, cl_device_info what, size_t size, vo
     if (value != nullptr && fault("inexact-liar") && what == CL_DEVICE_SINGLE_FP_CONFIG) {
         *static_cast<cl_device_fp_config*>(value) |= CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
     }
+    if (fault("nvidia") && what == CL_DEVICE_TYPE && value != nullptr) {
+        *static_cast<cl_device_type*>(value) = CL_DEVICE_TYPE_GPU;
+    }
+    if (fault("nvidia") && what == CL_DEVICE_VENDOR) {
+        constexpr std::string_view vendor = "NVIDIA Corporation";
+        if (written != nullptr) *written = vendor.size() + 1;
+        if (value != nullptr) std::strncpy(static_cast<char*>(value), vendor.data(), size);
+        return CL_SUCCESS;
+    }
     if (value != nullptr && fault("small-buffers") && what == CL_DEVICE_MAX_MEM_ALLOC_SIZE) {
         *static_cast<cl_ulong*>(value) = 1 << 20;
     }

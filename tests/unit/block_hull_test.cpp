@@ -35,12 +35,13 @@ Drawn<Real> draw(const Scene& scene, Mode mode, double share)
     openmp::Picture<Real> picture(scene, mode, {}, variant, notes);
     const Band band{.first_row = 0, .rows = scene.height};
     openmp::Canvas<Real> canvas = picture.canvas({0, 1}, band, {.bytes = drawn.bytes.data()});
-    canvas.cones = false;  // cones start at the block hull; with them, scaling the hull changes the samples
-    canvas.block_hull *= static_cast<Real>(share);
+    canvas.cones = false;  // cones start at the subtiles' hull; with them, scaling the hull changes the samples
+    KernelScene<Real> kernel = picture.kernel_scene();
+    kernel.subtile_hull *= static_cast<Real>(share);
     openmp::TileQueue queue(scene.width, band, 1);
     openmp::TileQueue::Share tiles{queue};
     openmp::ThreadMemory memory;
-    drawn.spent = variant.draw(picture.kernel_scene(), canvas, tiles.tiles(), memory.of_size(variant.memory));
+    drawn.spent = variant.draw(kernel, canvas, tiles.tiles(), memory.of_size(variant.memory));
     return drawn;
 }
 
@@ -77,7 +78,7 @@ TEST(BlockHull, TooSmallCutsEdges)
     for (const Mode mode : {Mode::fast, Mode::exact}) {
         const Scene scene = official_scene("box", 333, 217);
         const auto kernel = kernel_scene<layout_f32::Scene>(scene, mode, {});
-        const double share = 0.9 * kernel.hull / openmp::block_hull_of(kernel, *scene.fractal);
+        const double share = 0.9 * kernel.hull / kernel.subtile_hull;
         EXPECT_NE(draw<float>(scene, mode, share).bytes, draw<float>(scene, mode, 0).bytes);
     }
 }

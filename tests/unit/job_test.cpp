@@ -15,11 +15,11 @@ constexpr double device_seconds = 7;  // duration of each launch by the fake dev
 
 // A fake kernel. Sets every byte of the rows to 200, but the second byte to the number of pixels per thread. Does not
 // change layers other than the bytes.
-void draw(const void* address, int width, int rows)
+void draw(const void* address, const job::Launch& launch)
 {
     const auto& job = *static_cast<const job::KernelArguments<layout_f32::Scene, float>*>(address);
     if (job.bytes == nullptr) return;
-    std::fill_n(job.bytes, 3L * width * rows, static_cast<unsigned char>(200));
+    std::fill_n(job.bytes, 3L * launch.width * launch.rows, static_cast<unsigned char>(200));
     job.bytes[1] = static_cast<unsigned char>(job.pixels_of_thread);
 }
 

@@ -3,6 +3,7 @@
 // loops of real rays. They also check the passes into which the schedule divides a picture because of the bounds.
 #include "instruments/loops.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -190,6 +191,60 @@ TEST(Loops, BandsAreCutByTime)
     EXPECT_EQ(bands_of(1e-30), single);
     EXPECT_EQ(bands_of(1e30), (std::vector<int>{16, 64, 120}));
     EXPECT_EQ(bands_of(0), (std::vector<int>{128, 72}));
+}
+
+constexpr Starts with_starts{.cones = {{8, 0}, {2, 8}}, .cone_passes = 2, .lattices = {{{0, 2}, {2, 1}}, 2}};
+
+// An executor that records the passes of each band as text, such as "cones 8 in 0".
+class Listing : public Executor {
+public:
+    void run(Entry entry, const Band& band, int) override
+    {
+        passes.push_back(entry == Entry::cones
+                             ? fmt::format("cones {} in {}", band.cones.side, band.cones.within)
+                             : fmt::format("pixels {} of {}", band.lattice.apart, band.lattice.before));
+    }
+    bool marching(const Band&) override { return false; }
+    void read_back(const Band& band, Image&) override { passes.push_back(fmt::format("{} rows", band.rows)); }
+
+    std::vector<std::string> passes;
+};
+
+TEST(Loops, ConesComeBeforeTheLatticesOfEachBand)
+{
+    Listing listing;
+    Image image(8, 32, Image::Layers::bytes);
+    run_schedule(official_scene("bulb", 8, 32), Mode::fast,
+                 {.pixels_per_band = 8 * 16, .pixels_to_fill = 8 * 16, .starts = with_starts}, listing, image, {});
+    const std::vector<std::string> band{"cones 8 in 0", "cones 2 in 8", "pixels 2 of 0", "pixels 1 of 2", "16 rows"};
+    std::vector<std::string> both = band;
+    both.insert(both.end(), band.begin(), band.end());
+    EXPECT_EQ(listing.passes, both);
+}
+
+// Pixels depend on the rows of their band if rays begin at cones or neighbours. Negative control: without, time cuts
+// the bands.
+TEST(Loops, TimeDoesNotCutBandsWithConesOrNeighbours)
+{
+    const auto bands_of = [](const Starts& starts) {
+        Listing listing;
+        Image image(1024, 200, Image::Layers::bytes);
+        run_schedule(
+            official_scene("bulb", 1024, 200), Mode::fast,
+            {.pixels_per_band = 1024 * 128, .pixels_to_fill = 1024 * 128, .starts = starts, .seconds_per_band = 1e-30},
+            listing, image, {});
+        return std::ranges::count_if(listing.passes, [](const std::string& pass) { return pass.ends_with("rows"); });
+    };
+    EXPECT_EQ(bands_of(with_starts), 2);
+    EXPECT_EQ(bands_of({}), 185);
+}
+
+TEST(Loops, AConeTakesAtMostHalfOfWhatADeviceSurvives)
+{
+    const Loops loops{.pass = 10, .step = 20, .tried = 0, .refine = 0, .shade = 0};
+    const std::int64_t needed = 2 * (loops.pass + most_cone_steps * loops.step);
+    EXPECT_TRUE(cones_fit({needed, loops}));
+    EXPECT_FALSE(cones_fit({needed - 2, loops}));
 }
 
 TEST(Loops, WhatCannotBeCutIntoPassesIsUnavailable)

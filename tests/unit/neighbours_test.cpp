@@ -21,7 +21,6 @@
 namespace mandelmarch {
 namespace {
 
-using openmp::Lattice;
 using openmp::LatticeBuffers;
 
 constexpr float not_drawn = -7;  // depth of pixels that are not rendered yet; no rendered pixel has it

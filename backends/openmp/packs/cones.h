@@ -7,7 +7,7 @@ HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
     Int places[places_room] = {};
     MM_REAL starts[places_room] = {};
     store_compact(a.pixel, on, places);
-    store_compact(pick(a.ray.t <= a.ray.end, a.ray.t, beyond_scene(d.scene)), on, starts);
+    store_compact(cone_end(d.scene, a.ray), on, starts);
     const int lanes = lanes_on(on);
     for (int i = 0; i < lanes; ++i) d.canvas.block_start[places[i]] = starts[i];
 #if MM_COUNTED
@@ -17,16 +17,15 @@ HWY_NOINLINE void end_cones(Drawing& d, const RayPack& a, const mask& on)
 }
 
 // Begins a cone for every subtile. If Canvas::cones is false, only stores the t at which the cone's axis enters the
-// hull. The hull used here (Canvas::block_hull) is enlarged: if any ray of a subtile meets the scene's hull, the axis
-// of the subtile's cone meets the enlarged hull.
+// enlarged hull (Scene::subtile_hull): if any ray of a subtile meets the scene's hull, the axis of the subtile's cone
+// meets the enlarged hull.
 HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
 {
-    const real middle = MM_REAL(0.5) * (block_side - 1);
     for (int from = 0; from < blocks.count; from += pack_lanes) {
         RayPack a;
         a.pixel = load_lanes(blocks.number + from);
-        a.ray = begin(d.around_blocks, real_of(load_lanes(blocks.left + from)) + middle,
-                      real_of(load_lanes(blocks.bottom + from)) + middle);
+        a.ray = begin_cone(d.scene, real_of(load_lanes(blocks.left + from)), real_of(load_lanes(blocks.bottom + from)),
+                           block_side);
         mask ended = first_lanes(blocks.count - from);
         if (d.canvas.cones) {
             const mask go = ended && a.ray.t <= a.ray.end;

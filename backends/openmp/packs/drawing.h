@@ -17,7 +17,6 @@ struct Pools {
 // Scene, canvas, pools and functions of a thread's rendering.
 struct Drawing {
     const Scene& scene;
-    Scene around_blocks;  // copy of the scene with block_hull of the canvas as its hull
     const Canvas<MM_REAL>& canvas;
     const Tiles& tiles;
     Pools& pools;
@@ -32,7 +31,5 @@ HWY_INLINE Drawing drawing(const Scene& scene, const Canvas<MM_REAL>& canvas, co
 {
     pools.refining = pools.marching.size = pools.cones.size = pools.hits.size = pools.ended.size = 0;
     pools.alone = pools.sharing.size = 0;
-    Scene around_blocks = scene;
-    around_blocks.hull = canvas.block_hull;
-    return {scene, around_blocks, canvas, tiles, pools, sampling, shading, {0, 0, 0}};
+    return {scene, canvas, tiles, pools, sampling, shading, {0, 0, 0}};
 }

@@ -11,7 +11,7 @@ HWY_INLINE mask march_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool
 {
     RayPack a = load<RayPack, roomless>(pool, from);
     if (canvas.lattice.apart > 1) {
-        const real width = MM_REAL(0.5) * static_cast<MM_REAL>(canvas.lattice.apart) * canvas.spacing;
+        const real width = MM_REAL(0.5) * static_cast<MM_REAL>(canvas.lattice.apart) * scene.spacing;
         a.room = load<RayPack, room_alone>(pool, from).room;
         a.room = pick(on, smaller(a.room, here.distance - width * a.ray.t), a.room);
         store<room_alone>(a, pool, from);
@@ -27,12 +27,10 @@ HWY_INLINE mask march_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool
     return stay;
 }
 
-HWY_INLINE mask march_cones_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool& pool, int from,
-                               const Estimate& here, const mask& on)
+HWY_INLINE mask march_cones_on(const Scene& scene, Pool& pool, int from, const Estimate& here, const mask& on)
 {
-    const scalar span = canvas.spacing * (MM_REAL(0.5) * (block_side - 1));
     RayPack a = load<RayPack, roomless>(pool, from);
-    a.ray = advanced_cone(scene, a.ray, span, here, on);
+    a.ray = advanced_cone(scene, a.ray, cone_width(scene, block_side), here, on);
     store<marched>(a, pool, from);
     return on && cone_goes(a.ray);
 }
@@ -60,7 +58,7 @@ HWY_NOINLINE void take_steps(const KernelScene<MM_REAL>& data, const Canvas<MM_R
         if (kind == StepKind::march) {
             on = march_on(scene, canvas, pool, from, here, on);
         } else if (kind == StepKind::march_cones) {
-            on = march_cones_on(scene, canvas, pool, from, here, on);
+            on = march_cones_on(scene, pool, from, here, on);
         } else {
             on = refine_on(scene, pool, from, here, on);
         }

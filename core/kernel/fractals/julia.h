@@ -45,7 +45,7 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
 
 // Returns the part of a ray that can meet the surface. The hull is a sphere; docs/hulls.md explains why it contains the
 // set.
-FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
+FN Span hull(scalar size, vec3 origin, vec3 direction) { return sphere_span(size, origin, direction); }
 
 FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
 {

@@ -39,7 +39,7 @@ FN real box_growth(Scene scene, real r2)
 
 // Returns the part of a ray that can meet the surface. The hull is a cube; docs/hulls.md explains why it contains the
 // surface.
-FN Span hull(Scene scene, vec3 origin, vec3 direction) { return cube_span(scene.hull, origin, direction); }
+FN Span hull(scalar size, vec3 origin, vec3 direction) { return cube_span(size, origin, direction); }
 
 struct BoxOrbit {
     vec3 z;

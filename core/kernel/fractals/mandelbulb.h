@@ -80,7 +80,7 @@ FN vec3 bulb_next(BulbPower power, vec3 p)
 
 // Returns the part of a ray that can meet the surface. The hull is a sphere; docs/hulls.md explains why it contains the
 // surface.
-FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
+FN Span hull(scalar size, vec3 origin, vec3 direction) { return sphere_span(size, origin, direction); }
 
 // For the eighth power, lengths are in units of 2^(-1/7). In these units the next point is z^8 / 2 + p, and the factor
 // 8 r^7 of the derivative becomes 4 r^7.

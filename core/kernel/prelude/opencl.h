@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude in OpenCL C 1.2. Compiler options define MM_REAL_IS_FLOAT (1 or 0); MM_LANES, the number of pixels processed
 // at once, which is 1 or the length of a vector type; MM_EXACT (1 or 0); and MM_IN_DOUBLE, which is 1 on devices whose
-// float divisions and square roots are not correctly rounded, and are therefore computed in double.
+// float divisions and square roots are not correctly rounded, and are therefore computed in double. MM_NATIVE is 1 if
+// the native functions of OpenCL shall be used for approximations; 0 in exact mode, in double, and with several lanes.
 
 #if MM_EXACT
 #pragma OPENCL FP_CONTRACT OFF
@@ -10,6 +11,14 @@
 #endif
 #if !MM_REAL_IS_FLOAT || MM_IN_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
+
+// Defines MM_AVX512 if approximations of AVX-512 can be used: in fast mode, for vectors of one or more of its
+// registers.
+#if !MM_EXACT && defined(__AVX512F__) && defined(__has_builtin) && MM_LANES >= (MM_REAL_IS_FLOAT ? 16 : 8)
+#if __has_builtin(__builtin_ia32_rcp14ps512_mask) && __has_builtin(__builtin_ia32_rsqrt14pd512_mask)
+#define MM_AVX512
+#endif
 #endif
 
 #define MM_PASTE_(a, b) a##b
@@ -154,10 +163,6 @@ FN real quotient(real a, real b) { return a / b; }
 FN real root(real a) { return MM_BY_HALVES(real, sqrt, a); }
 #endif
 
-FN real quick_quotient(real a, real b) { return quotient(a, b); }
-
-FN real quick_root(real a) { return root(a); }
-
 FN real magnitude(real a) { return MM_BY_HALVES(real, fabs, a); }
 
 // Returns the nearest integer, ties to even.
@@ -171,3 +176,5 @@ FN real exponent_of(real a)
 
 // Returns 2^n for an integer n. The result must be a normal number.
 FN real two_to(real n) { return MM_AS_REAL((MM_TO_INT(n) + MM_EXPONENT_BIAS) << MM_MANTISSA_BITS); }
+
+#include "core/kernel/prelude/opencl_quick.h"

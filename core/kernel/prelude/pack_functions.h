@@ -93,6 +93,7 @@ FN real scaled_inverse_root(const real& a, scalar s) { return quotient(s, root(a
 // bits of earlier instruction sets cause visible errors.
 #if MM_FAST && MM_REAL_IS_FLOAT && HWY_TARGET <= HWY_AVX3
 #define MM_HAS_ROUGH
+#define MM_HAS_ROUGH_LOG
 FN real rough_quotient(real a, const real& b)
 {
     EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], hn::ApproximateReciprocal(b.of[u]));)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude in scalar C++. Before including it, define MM_REAL (float or double) and MM_REAL_IS_FLOAT (1 or 0). Include
-// it inside a namespace and before the kernel source; undefine.h removes its macros.
+// it inside a namespace and before the kernel source; undefine.h removes its macros. Who defines MM_HAS_QUICK defines
+// quick_quotient() and quick_root(), too.
 #include "core/kernel/prelude/words.h"
 
 #ifndef FN
@@ -34,8 +35,6 @@ FN vec3 make_vec3(real x, real y, real z) { return {x, y, z}; }
 
 FN real quotient(real a, real b) { return a / b; }
 
-FN real quick_quotient(real a, real b) { return a / b; }
-
 #if MM_REAL_IS_FLOAT
 FN real root(real a) { return __builtin_sqrtf(a); }
 
@@ -62,4 +61,8 @@ FN real exponent_of(real a) { return real((__builtin_bit_cast(unsigned long long
 FN real two_to(real n) { return __builtin_bit_cast(real, ((long long)(n) + 1023) << 52); }
 #endif
 
+#ifndef MM_HAS_QUICK
+FN real quick_quotient(real a, real b) { return a / b; }
+
 FN real quick_root(real a) { return root(a); }
+#endif

@@ -14,6 +14,8 @@
 #undef MM_SCENE_BY_REFERENCE
 #undef MM_HAS_CLIPPED
 #undef MM_HAS_ROUGH
+#undef MM_HAS_ROUGH_LOG
+#undef MM_HAS_QUICK
 #undef over_root
 #undef MM_NEAREST
 #undef EACH_REGISTER
