@@ -19,7 +19,8 @@ if(DEFINED BUNDLE_GOMP_NVPTX)
     list(APPEND wanted libgomp-plugin-nvptx1:BUNDLE_GOMP_NVPTX)
 endif()
 if(DEFINED BUNDLE_VULKAN_LOADER)
-    list(APPEND wanted libvulkan1:BUNDLE_VULKAN_LOADER libx11-6:BUNDLE_X11 libxext6:BUNDLE_XEXT)
+    list(APPEND wanted libvulkan1:BUNDLE_VULKAN_LOADER libx11-6:BUNDLE_X11 libxext6:BUNDLE_XEXT
+        libglx0:BUNDLE_GLX libegl1:BUNDLE_EGL)
 endif()
 if(DRIVERS)
     list(APPEND wanted pocl-opencl-icd:BUNDLE_POCL mesa-vulkan-drivers:BUNDLE_LAVAPIPE binutils:BUNDLE_LINKER)
@@ -55,9 +56,10 @@ endforeach()
 # must lead to the libraries that it loads itself: libgomp loads its plugin, and OpenCL's loader loads PoCL.
 set(roots ${BUNDLE_VULKAN_LOADER} ${BUNDLE_GOMP_NVPTX})
 carry_libraries(lib "$ORIGIN:$ORIGIN/drivers" "${program}" "${roots}")
-# The libraries of X11 are in a separate folder, which gpu_steps adds to LD_LIBRARY_PATH on machines without them.
+# The libraries of NVIDIA's Vulkan driver are in a separate folder, which gpu_steps adds to LD_LIBRARY_PATH on machines
+# without them.
 if(DEFINED BUNDLE_X11)
-    carry_libraries(lib/x11 "$ORIGIN:$ORIGIN/.." "${program}" "${BUNDLE_X11};${BUNDLE_XEXT}")
+    carry_libraries(lib/x11 "$ORIGIN:$ORIGIN/.." "${program}" "${BUNDLE_X11};${BUNDLE_XEXT};${BUNDLE_GLX};${BUNDLE_EGL}")
 endif()
 if(DRIVERS)
     get_filename_component(pocl_folder ${BUNDLE_POCL} DIRECTORY)

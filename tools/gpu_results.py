@@ -54,7 +54,7 @@ def expected_times(device):
     for gpu, names in {"k40": ("K40",), "h100": ("H100", "H200")}.items():
         if any(name in device for name in names):
             lines = map(str.split, text_of(EXPECTED, f"{gpu}_expected.txt").splitlines())
-            return {(words[3], *words[:3]): (float(words[-2]), float(words[-1])) for words in lines if len(words) == 11 and words[3] in BACKENDS}
+            return {(words[3], *words[:3]): (float(words[-2]), float(words[-1])) for words in lines if len(words) == 12 and words[3] in BACKENDS}
     return {}
 
 
@@ -136,6 +136,12 @@ def main():
         device = device_of(folder)
         with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
             file.write(page(folder, device, steps))
+        # The stats of the exact pictures are in the summary. Pictures with other bits are kept.
+        for path in [*glob.glob(os.path.join(folder, "bits-*", "*.json")), *glob.glob(os.path.join(folder, "seen-*"))]:
+            os.remove(path)
+        for path in glob.glob(os.path.join(folder, "bits-*")):
+            if not os.listdir(path):
+                os.rmdir(path)
         name = ("rehearsal-" if text_of(folder, "rehearsal") else "") + re.sub(r"[^A-Za-z0-9]+", "-", device).strip("-")
         target = free_folder(arguments.into, name)
         shutil.move(folder, target)

@@ -222,19 +222,17 @@ class Answers:
         }
 
     def gpu(self) -> dict[str, Any] | None:
-        """Returns the time of the fastest measured GPU or, if none was measured, the predicted times of the K40 and the
-        host's times, all at the film's size."""
-        measured = [(b, r) for b in self.results.benches for r in b.rows if r.timed and r.is_gpu]
-        if measured:
-            bench, row = max(measured, key=lambda one: one[1].figures["pixels_per_second"])
-            return {
-                "measured": self.results.times(bench.name, bench.at(row, "/figures/kernel_seconds"), 1e3),
-                "device": row.device_name,
-                "what": f"{row.fractal}, {row.precision}, {row.mode}",
-            }
+        """Returns the times of the fastest measured GPU or, if none was measured, the predicted times of the K40, and
+        the host's times, all at the film's size."""
         expected = next((n for n, text in self.results.files.items() if str(text).startswith("K40 on paper")), None)
         rows = [self.results.of_size(FILM_SIZE, fractal, "float", "fast", self.backends.host) for fractal in FRACTALS]
-        if expected is None or None in rows:
+        if None in rows:
+            return None
+        size = [Number.of_row(*rows[0], f"/setting/{key}").html("plain") for key in ("width", "height")]
+        gpus = [self._fastest_gpu(fractal) for fractal in FRACTALS]
+        if None not in gpus:
+            return {"measured": [self._beside(gpu, row) for gpu, row in zip(gpus, rows)], "size": size, "host": self.backends.host}
+        if expected is None:
             return None
         pairs = []
         for fractal, (bench, row) in zip(FRACTALS, rows):
@@ -247,8 +245,28 @@ class Answers:
                     "times": (1e3 * Number.of_row(bench, row, "/figures/kernel_seconds/median") / predicted).html(),
                 }
             )
-        size = [Number.of_row(*rows[0], f"/setting/{key}").html("plain") for key in ("width", "height")]
         return {"predicted": pairs, "size": size, "host": self.backends.host}
+
+    def _fastest_gpu(self, fractal: str) -> tuple[Bench, Row] | None:
+        """Returns the fastest row of a GPU at the film's size, in float and fast mode, of the standard study."""
+        rows = [
+            (bench, row)
+            for bench in self.results.study("standard")
+            for row in bench.timed(fractal=fractal, precision="float", mode="fast")
+            if row.is_gpu and row.size == FILM_SIZE
+        ]
+        return min(rows, key=lambda one: one[1].kernel.median, default=None)
+
+    def _beside(self, gpu: tuple[Bench, Row], host: tuple[Bench, Row]) -> dict[str, Any]:
+        """Returns the times of a GPU's row and of the host's row for the same picture."""
+        kernel = "/figures/kernel_seconds"
+        return {
+            "device": gpu[1].device_name,
+            "backend": gpu[1].backend,
+            "gpu": (1e3 * Number.of_row(*gpu, f"{kernel}/median")).html(),
+            "host": self.results.times(host[0].name, host[0].at(host[1], kernel), 1e3),
+            "times": (Number.of_row(*host, f"{kernel}/median") / Number.of_row(*gpu, f"{kernel}/median")).html(),
+        }
 
     def film(self) -> dict[str, Any] | None:
         """Returns frames, seconds and seconds per frame of the first film with a summary."""
