@@ -82,7 +82,7 @@ def check_text(ptx, fractals):
         "behind a predicate": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "@ ! %r1 mul.f32"),
         "approximate": changed(ptx, f"{march}_float_exact", r"sqrt\.rn\.f32", "sqrt.approx.ftz.f32"),
         "approximate double": changed(ptx, f"{march}_double_fast", r"sqrt\.rn\.f64", "sqrt.approx.ftz.f64"),
-        "not approximate": changed(ptx, f"{march}_float_fast", r"rcp\.approx\.ftz\.f32", "rcp.rn.f32"),
+        "not approximate": changed(ptx, f"{march}_float_fast", r"sqrt\.approx\.ftz\.f32", "sqrt.rn.f32"),
         "max": changed(ptx, f"{march}_float_exact", r"selp\.f32 (%r\d+),([^,]+),([^,]+),%r\d+;", r"max.f32 \1,\2,\3;"),
         "flushing": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.ftz.f32"),
         "another target": ptx.replace(".target sm_35", ".target sm_70"),
