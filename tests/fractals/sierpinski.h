@@ -32,7 +32,7 @@ FN real sierpinski_r2(vec3 z) { return larger(dot3(z, z), R(1.0e-30)); }
 
 // Returns the part of a ray that can meet the surface, which is the part inside a sphere. hull() in the descriptor
 // (sierpinski.cpp) computes the sphere's radius, with a proof.
-FN Span hull(Scene scene, vec3 origin, vec3 direction) { return sphere_span(scene.hull, origin, direction); }
+FN Span hull(scalar size, vec3 origin, vec3 direction) { return sphere_span(size, origin, direction); }
 
 FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
