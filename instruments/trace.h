@@ -60,9 +60,9 @@ struct Trace {
 };
 
 // Traces the ray of pixel (x, y), which must lie in the picture. In exact mode the pixel has the same bits as on every
-// backend. In fast mode the ray does not use its neighbours, as in pictures of openmp's scalar kernel, and the step
-// factor is that of the scene, without a trial. Throws InputError as kernel_scene() does, and Unavailable if this build
-// does not contain the fractal.
+// backend. In fast mode the ray uses neither cones nor neighbours, as in pictures of openmp's scalar kernel with
+// `--without cones,neighbours`, and the step factor is that of the scene, without a trial. Throws InputError as
+// kernel_scene() does, and Unavailable if this build does not contain the fractal.
 Trace trace_pixel(const Scene& scene, const RendererOptions& options, int x, int y);
 
 // Returns the trace as text: one line per sample, then the result. Numbers have so many digits that their bits can be

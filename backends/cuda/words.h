@@ -49,7 +49,7 @@ FN float rough_root(float a) { return quick_root(a); }
 
 FN float over_root(float a, float, float b) { return a * inverse_root(b); }
 
-// Returns ln a, with an absolute error of 2^-22.
+// Returns ln a, with an error of 2^-22, absolute near a = 1 and relative elsewhere.
 FN float rough_log(float a)
 {
     float y;

@@ -133,7 +133,10 @@ private:
         cones_.setArg(3, cone_side_);
         cones_.setArg(4, starts_);
         cones_.setArg(5, cone_work_);
-        return launched(cones_, cl::NDRange((tiles_of(rows_covered) + lanes - 1) / lanes), cl::NullRange, doing);
+        // On a CPU, a core takes one group after another.
+        const std::size_t group = session_.is_cpu ? 1 : 64;
+        const std::size_t groups = (tiles_of(rows_covered) + lanes * group - 1) / (lanes * group);
+        return launched(cones_, cl::NDRange(groups * group), cl::NDRange(group), doing);
     }
 
     // Launches the kernel of pixels and waits for its end.

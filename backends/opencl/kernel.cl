@@ -74,6 +74,7 @@ __kernel void march_cones(__constant Scene* scene, int first_row, int rows, int 
     int columns = tiles_along(scene->width, side);
     int tiles = columns * tiles_along(rows, side);
     int first = (int)get_global_id(0) * MM_LANES;
+    if (first >= tiles) return;
     union Reals i;
     union Reals j;
     for (int lane = 0; lane < MM_LANES; ++lane) {

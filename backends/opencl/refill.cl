@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Renders a strip of pixels with refill: a lane whose ray has ended takes the
+// SPDX-License-Identifier: Apache-2.0
+// Renders a strip of pixels with refill: a lane whose ray has ended takes the
 // strip's next ray (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG
 // 2009). Hits are collected until they fill a vector, which is then shaded. A pixel's result does not depend on the
 // lane that computes it.

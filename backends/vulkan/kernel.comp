@@ -18,8 +18,8 @@ const int stage_march = 2;
 const int stage_stop = 4;
 const int stage_refine = 8;
 const int stage_shade = 16;
-const int stage_bytes = 32;  // stage_shade stores a pixel's three bytes in one word
-const int stage_pack = 64;   // a pass of its own, which packs the words of four pixels into three
+const int stage_bytes = 32;   // stage_shade stores a pixel's three bytes in one word
+const int stage_pack = 64;    // a pass of its own, which packs the words of four pixels into three
 const int stage_cones = 128;  // a pass of its own, which marches the cone of a tile
 layout(constant_id = 0) const int stages = 31;
 // Scene parameters that rarely change are constants of the pipeline. This removes branches, which are expensive on some

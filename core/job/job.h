@@ -24,7 +24,7 @@ struct KernelArguments {
     Lattice lattice;       // on GPUs always {0, 1}
     int first_row;
     int rows;
-    int pixels_of_thread;  // pixels that a thread marches one after the other, with refill (pixels.h)
+    int pixels_of_thread;  // pixels that a thread marches one after the other, with refill (threads.h)
 };
 
 // The size of a job.

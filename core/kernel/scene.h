@@ -22,14 +22,13 @@ struct Scene {
     scalar hull;             // size of the hull (hull.h): radius of the sphere, half the edge of the cube; 0: unknown
     scalar relaxation;       // over-relaxation factor, see relaxed(); not above step_factor: no over-relaxation
     scalar root_share;       // refinement ends if |DE - tolerance t| is below this fraction of the tolerance
-    scalar longitude;   // radians from forward to the picture's centre, around upward; equirectangular pictures only
-    scalar longitudes;  // radians from the centre to the right edge; 0: perspective picture
-    scalar latitude;    // radians from forward to the picture's centre, towards upward
-    scalar latitudes;   // radians from the centre to the top edge
-    scalar spacing;     // max distance of diagonally adjacent rays, at distance 1 from the camera
-    scalar
-        subtile_hull;  // size of an enlarged hull: if a ray of a subtile meets the hull, the subtile's centre meets it
-    scalar fractal[13];  // constants whose meanings the fractal's file defines
+    scalar longitude;     // radians from forward to the picture's centre, around upward; equirectangular pictures only
+    scalar longitudes;    // radians from the centre to the right edge; 0: perspective picture
+    scalar latitude;      // radians from forward to the picture's centre, towards upward
+    scalar latitudes;     // radians from the centre to the top edge
+    scalar spacing;       // max distance of diagonally adjacent rays, at distance 1 from the camera
+    scalar subtile_hull;  // size of an enlarged hull, which a subtile's centre meets if one of its rays meets the hull
+    scalar fractal[13];   // constants whose meanings the fractal's file defines
 
     triple eye;      // position of the camera
     triple forward;  // to the centre of the pixels, at distance 1; equirectangular: unit vector of the view direction

@@ -58,7 +58,9 @@ FN real cone_end(Scene scene, Ray ray) { return pick(ray.t <= ray.end, ray.t, be
 // Moves the beginning of a ray to `start`, a result of neighbour_start(), if `start` is farther.
 FN Ray begun_by_neighbours(Ray ray, real start)
 {
-    ray.last_t = pick(start > ray.t, ray.t, 0);
+    // Until the first sample, last_t keeps the t at which begun_alone() begins. It is 0 only if there are no
+    // neighbours.
+    ray.last_t = pick(start > ray.t, larger(ray.t, R(1.0e-30)), 0);
     ray.t = larger(start, ray.t);
     return ray;
 }

@@ -109,6 +109,33 @@ TEST(Equivalence, EveryBackendDrawsTheSamePicture)
 
 // Backends copy a picture that has only bytes from a device in another way than a picture with values. With these sizes
 // the last word and the last work group are only partly filled.
+// Returns the steps of a fast picture in float.
+double steps_of(const Backend& backend, const Scene& scene, const Techniques& techniques)
+{
+    const auto renderer =
+        backend.create({.precision = Precision::f32, .mode = Mode::fast, .counts = true, .techniques = techniques});
+    Image image(scene.width, scene.height, Image::Layers::all);
+    return static_cast<double>(renderer->render(scene, image).work.steps);
+}
+
+// Every backend but the reference has cones, and some have neighbours. Negative control: the official Mandelbox is too
+// coarse for both, so its rays take the same steps with and without them.
+TEST(Equivalence, ConesAndNeighboursSaveSteps)
+{
+    const Registry registry = all_backends();
+    const Techniques neither{.cones = false, .neighbours = false};
+    for (const auto& backend : registry.backends()) {
+        if (backend->unavailable() || backend->info().role == Role::reference) continue;
+        for (const Fractal& fractal : fractals()) {
+            const bool saves = fractal.short_name == "bulb";
+            if (!saves && fractal.short_name != "box") continue;
+            const Scene scene = official_scene(fractal, saves ? 640 : 120, saves ? 640 : 120);
+            const double share = steps_of(*backend, scene, {}) / steps_of(*backend, scene, neither);
+            EXPECT_TRUE(saves ? share < 0.85 : share == 1) << backend->name() << " " << fractal.name << ": " << share;
+        }
+    }
+}
+
 TEST(Equivalence, BytesAloneAreThoseOfTheValues)
 {
     const Registry registry = all_backends();

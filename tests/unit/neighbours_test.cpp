@@ -25,8 +25,7 @@ using openmp::LatticeBuffers;
 
 constexpr float not_drawn = -7;  // depth of pixels that are not rendered yet; no rendered pixel has it
 
-// Returns true if the machine has packs. Without packs, the scalar kernel renders all pixels in one go, without
-// lattices.
+// Returns true if the machine has packs.
 bool has_packs() { return openmp::variants_of<float>("mandelbulb", Mode::fast).back().pack > 1; }
 
 // A picture in float whose lattices the test renders one after the other, on one thread.

@@ -21,7 +21,7 @@ protected:
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
     const Backend& opencl = *registry.find("opencl");
-    // The Mandelbox is rendered with refill. The sizes of the pictures are not multiples of a block, a strip or a work
+    // Lanes are refilled. The sizes of the pictures are not multiples of a block, a strip or a work
     // group.
     const std::vector<NamedScene> scenes{{"bulb", official_scene("bulb", 301, 37)},
                                          {"box", official_scene("box", 301, 37)},
@@ -36,6 +36,28 @@ TEST_P(Opencl, VectorsDrawTheBitsOfTheScalarText)
         const auto renderer = opencl.create({.precision = GetParam(), .simd_width = simd_width});
         for (const auto& [name, scene] : scenes) {
             expect_same_picture(*baseline, *renderer, scene, name + ", SIMD width " + std::to_string(simd_width));
+        }
+    }
+}
+
+// In fast mode vectors begin rays at cones and neighbours. Fast pictures are those of the scalar kernel, up to 1 % of
+// the pixels and of the steps.
+TEST_P(Opencl, FastVectorsDrawThePictureOfTheScalarKernel)
+{
+    const auto drawn = [&](const Backend& backend, int simd_width, const Scene& scene) {
+        Image image(scene.width, scene.height, Image::Layers::all);
+        const RendererOptions options{.precision = GetParam(), .mode = Mode::fast, .simd_width = simd_width};
+        const double steps = static_cast<double>(backend.create(options)->render(scene, image).work.steps);
+        return std::pair(std::move(image), steps);
+    };
+    for (const auto& [width, height] : {std::pair(301, 293), {17, 1}, {1, 5}}) {
+        Scene scene = official_scene("bulb", width, height);
+        scene.detail = -2;  // a coarse tolerance, so that small pictures have neighbours
+        const auto [expected, steps] = drawn(openmp, 1, scene);
+        for (const int simd_width : {2, 4, 8, 16, 32}) {
+            const auto [image, taken] = drawn(opencl, simd_width, scene);
+            EXPECT_LE(100 * compare(expected, image).visibly_differing, expected.pixels()) << simd_width;
+            EXPECT_NEAR(taken, steps, 0.01 * steps) << simd_width;
         }
     }
 }
