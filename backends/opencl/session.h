@@ -114,14 +114,14 @@ inline void wait_for(const cl::Event& event, const char* doing)
     // A thread of its own waits, because clWaitForEvents() has no time limit. NVIDIA's driver calls the callbacks of
     // events some 15 ms late on an H100, so they are not used. The thread may outlive this function.
     const auto signal = std::make_shared<Signal>();
-    std::thread([event, signal]() mutable {
-        const cl_event waited = event();
+    std::thread([waiting = cl::Event(event), signal]() mutable {
+        const cl_event waited = waiting();
         const cl_int error = clWaitForEvents(1, &waited);
         cl_int status = error;
         if (error == CL_SUCCESS || error == CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST) {
             clGetEventInfo(waited, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof(status), &status, nullptr);
         }
-        event = cl::Event();  // the driver may be gone after the signal
+        waiting = cl::Event();  // the driver may be gone after the signal
         const std::lock_guard lock(signal->mutex);
         signal->status = status;
         signal->ended = true;
