@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <vector>
 
@@ -167,7 +168,7 @@ private:
         kernel_.setArg(7, bytes_alone_ ? 1 : 0);
         kernel_.setArg(8, item_width);
         kernel_.setArg(9, starts_);
-        kernel_.setArg(10, cone_side_);
+        kernel_.setArg(10, cone_side_ > 0 ? std::countr_zero(static_cast<unsigned>(cone_side_)) : -1);
         kernel_.setArg(11, depths_);
         kernel_.setArg(12, band.lattice.before);
         kernel_.setArg(13, band.lattice.apart);

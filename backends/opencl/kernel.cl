@@ -48,16 +48,18 @@ FN int tiles_along(int pixels, int side) { return (pixels + side - 1) / side; }
 // Where the rays of a band's lattice begin (core/render/lattice.h).
 struct Starts {
     __global const scalar* tiles;  // by tile: the t at which its cone has ended
-    int side;                      // of the tiles, in pixels; 0: there are no cones
+    int log2_side;                 // of the tiles' side in pixels; negative: there are no cones
+    int columns;                   // of tiles
     __global scalar* depths;       // that pixels in even columns and rows pass on, at half the pixel's index
     int before;                    // the lattice
     int apart;
 };
 
 // Returns the t at which the cone of a pixel's tile has ended; 0: there are no cones. y: the row in the band.
-FN scalar tile_start(Starts starts, int x, int y, int width)
+FN scalar tile_start(Starts starts, int x, int y)
 {
-    return starts.side == 0 ? 0 : starts.tiles[y / starts.side * tiles_along(width, starts.side) + x / starts.side];
+    if (starts.log2_side < 0) return 0;
+    return starts.tiles[(y >> starts.log2_side) * starts.columns + (x >> starts.log2_side)];
 }
 
 #if MM_LANES > 1
@@ -99,16 +101,17 @@ __kernel void march_cones(__constant Scene* scene, int first_row, int rows, int 
 // is {0, 1}.
 __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long pixels, __global scalar* reals,
                         __global int* wholes, __global uchar* bytes, int bytes_alone, int width,
-                        __global const scalar* tiles, int side, __global scalar* depths, int before, int apart)
+                        __global const scalar* tiles, int log2_side, __global scalar* depths, int before, int apart)
 {
     Target target = {reals, wholes, bytes, pixels, bytes_alone};
-    Starts starts = {tiles, side, depths, before, apart};
+    int columns_of_tiles = log2_side < 0 ? 0 : tiles_along(scene->width, 1 << log2_side);
+    Starts starts = {tiles, log2_side, columns_of_tiles, depths, before, apart};
     int x = (int)get_global_id(0);
     int y = (int)get_global_id(1);
 #if MM_LANES == 1
     if (x >= scene->width || y >= rows) return;
     Ray ray = begin(*scene, x, first_row + y);
-    ray.t = larger(tile_start(starts, x, y, scene->width), ray.t);
+    ray.t = larger(tile_start(starts, x, y), ray.t);
     Pixel pixel = drawn(*scene, march(*scene, ray, scene->max_steps));
     put(target, (long)y * scene->width + x, pixel.colour.x, pixel.colour.y, pixel.colour.z, pixel.depth, pixel.steps,
         pixel.de_calls, pixel.iterations);

@@ -63,7 +63,7 @@ FN BlockStarts block_starts(Starts starts, Block block, int place, int width, in
     BlockStarts found;
     for (int lane = 0; lane < MM_LANES; ++lane) {
         bool inside = block.at[lane] >= 0;
-        found.from_cones.of[lane] = inside ? tile_start(starts, block.x[lane], block.y[lane], width) : 0;
+        found.from_cones.of[lane] = inside ? tile_start(starts, block.x[lane], block.y[lane]) : 0;
         found.least.of[lane] = 0;
         found.greatest.of[lane] = 0;
         if (side == 0 || !inside) continue;
