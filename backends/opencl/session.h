@@ -111,8 +111,8 @@ inline void wait_for(const cl::Event& event, const char* doing)
         bool ended = false;
         cl_int status = CL_QUEUED;  // negative: an error
     };
-    // A thread of its own waits, because clWaitForEvents() has no time limit. NVIDIA's driver calls the callbacks of
-    // events some 15 ms late on an H100, so they are not used. The thread may outlive this function.
+    // A separate thread waits, because clWaitForEvents() has no time limit. Event callbacks are not used, because
+    // NVIDIA's driver calls them some 15 ms late on an H100. The thread may outlive this function.
     const auto signal = std::make_shared<Signal>();
     std::thread([waiting = cl::Event(event), signal]() mutable {
         const cl_event waited = waiting();

@@ -7,7 +7,7 @@ namespace mandelmarch {
 
 // Fast mode may render the pixels of a band in up to three lattices: first the pixels whose column and row are
 // multiples of 4, then those whose column and row are multiples of 2, then all others. A later ray begins near the hits
-// of the pixels around it that are already rendered (neighbour_start() in core/kernel/stepping.h).
+// of its neighbours, which are the rendered pixels around it (neighbour_start() in core/kernel/stepping.h).
 
 // The pixels whose column and row are multiples of `apart` (1, 2 or 4), without those whose column and row are
 // multiples of `before`, which are already rendered. `before` is 0 in the first lattice. Rows are counted from the

@@ -29,7 +29,7 @@ struct Band {
 // once.
 struct Loops {
     std::int64_t pass;    // of a pass that marches or refines, without its steps or refinements
-    std::int64_t step;    // of one marching step of a ray or a cone
+    std::int64_t step;    // of one step of a ray or a cone
     std::int64_t tried;   // of one refinement of a hit
     std::int64_t refine;  // of all refinements of a hit
     std::int64_t shade;   // of shading
@@ -106,8 +106,8 @@ public:
 };
 
 // Renders the scene band by band. A band's cones come first, then its lattices one after the other. If an invocation
-// may compute a whole pixel, a lattice is rendered by one pass of `draw`. Otherwise it takes a pass of `begin`, passes
-// of `march` until all rays have stopped, passes of `refine` in fast mode, and a pass of `shade`.
+// may compute a whole pixel, a lattice is rendered by one pass of `draw`. Otherwise the passes of a lattice are: one of
+// `begin`; `march` until all rays have stopped; in fast mode `refine`; one of `shade`.
 void run_schedule(const Scene& scene, Mode mode, const Limits& limits, Executor& executor, Image& image,
                   const Progress& progress);
 

@@ -51,8 +51,9 @@ FN real first_inverse_root(real a) { return MM_BY_HALVES(real, inverse_root_16, 
 // Returns s / sqrt(a) by a Newton step from y, an approximation of 1 / sqrt(a).
 FN real closer_inverse_root(real a, real y, scalar s) { return s * y + (R(0.5) * s * y) * (R(1.0) - (a * y) * y); }
 
-// A division runs beside multiply-adds, on a unit of its own; a Newton step would take their place. Therefore quotients
-// are approximate only where 14 bits suffice. In double the same holds for square roots that need no division.
+// CPUs divide in a separate unit while they multiply and add. A Newton step would need the units that multiply and add.
+// Therefore quotients are approximate only where 14 bits suffice. In double, square roots without a division are exact
+// for the same reason.
 FN real quick_quotient(real a, real b) { return quotient(a, b); }
 
 #define MM_HAS_INVERSE_ROOT
