@@ -43,7 +43,7 @@ public:
         reals_ = session.reals.of_size(session.context, flags, reals_size(planes));
         wholes_ = session.wholes.of_size(session.context, flags, wholes_size(planes));
         bytes_ = session.bytes.of_size(session.context, flags, bytes_alone ? 3 * pixels_ : 1);
-        const std::size_t tiles = cone_side_ > 0 ? tiles_of(rows_per_band(scene, limits)) : 1;
+        const std::size_t tiles = cone_side_ > 0 ? cones_in(rows_per_band(scene, limits)) : 1;
         starts_ = session.starts.of_size(session.context, flags, tiles * sizeof(Real));
         cone_work_ = session.cone_work.of_size(session.context, flags, 2 * tiles * sizeof(int));
         const std::size_t depths = limits.starts.lattices.count > 1 ? pixels_ / 2 + 1 : 1;
@@ -111,15 +111,11 @@ private:
     static std::size_t wholes_size(std::size_t pixels) { return whole_planes * sizeof(int) * pixels; }
 
     // Returns the number of tiles with cones in `rows` rows.
-    std::size_t tiles_of(int rows) const
-    {
-        return static_cast<std::size_t>(tiles_along(width_, cone_side_)) *
-               static_cast<std::size_t>(tiles_along(rows, cone_side_));
-    }
+    std::size_t cones_in(int rows) const { return static_cast<std::size_t>(tiles_of(width_, rows, cone_side_)); }
 
     void count_cones(const Band& band)
     {
-        std::vector<int> spent(2 * tiles_of(band.rows));
+        std::vector<int> spent(2 * cones_in(band.rows));
         session_.queue.enqueueReadBuffer(cone_work_, CL_TRUE, 0, sizeof(int) * spent.size(), spent.data());
         add_cone_work(work, spent);
     }
@@ -136,7 +132,7 @@ private:
         cones_.setArg(5, cone_work_);
         // On a CPU, a core takes one group after another.
         const std::size_t group = session_.is_cpu ? 1 : 64;
-        const std::size_t groups = (tiles_of(rows_covered) + lanes * group - 1) / (lanes * group);
+        const std::size_t groups = (cones_in(rows_covered) + lanes * group - 1) / (lanes * group);
         return launched(cones_, cl::NDRange(groups * group), cl::NDRange(group), doing);
     }
 

@@ -95,8 +95,8 @@ private:
     Starts starts_for(const Scene& scene) const
     {
         const auto kernel = kernel_scene<KernelScene<Real>>(scene, options_.mode, options_.techniques);
-        return starts_of(kernel, *scene.fractal, options_.techniques,
-                         session_->is_cpu ? subtile_side : subtile_side / 2, 0, session_->is_cpu && build_.lanes > 1);
+        return starts_of(kernel, *scene.fractal, options_.techniques, session_->is_cpu ? subtile_side : gpu_cone_side,
+                         0, session_->is_cpu && build_.lanes > 1);
     }
 
     cl_uint units() const { return session_->device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>(); }

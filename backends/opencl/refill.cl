@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders a strip of pixels with refill: a lane whose ray has ended takes the
-// strip's next ray (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG
-// 2009). Hits are collected until they fill a vector, which is then shaded. A pixel's result does not depend on the
-// lane that computes it.
+// Renders a strip of pixels with refill: a lane whose ray has ended takes the strip's next ray (persistent threads:
+// Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Hits are collected until they
+// fill a vector, which is then shaded. A pixel's result does not depend on the lane that computes it.
 
 // While the strip has rays left, idle lanes are refilled as soon as fewer than MM_BUSY lanes are marching.
 #define MM_BUSY (MM_LANES - MM_LANES / 8)

@@ -25,8 +25,7 @@ struct LatticeBuffers {
 
     void fit(int width, int rows, bool shares)
     {
-        const auto sides = [](int size) { return static_cast<std::size_t>((size + block_side - 1) / block_side); };
-        const std::size_t blocks = sides(width) * sides(rows);
+        const auto blocks = static_cast<std::size_t>(tiles_of(width, rows, subtile_side));
         const std::size_t depths = Image::pixels(width, rows) / 2 + 1;
         if (block_start.size() < blocks) block_start.resize(blocks);
         if (neighbour_depth.size() < depths) neighbour_depth.resize(depths);

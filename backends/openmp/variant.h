@@ -19,8 +19,7 @@ enum class Stage { begin, march, refine, normal, shade, output };
 inline constexpr int stages = 6;
 
 constexpr int pool_rays = 4096;  // large enough for few gaps in packs, small enough for a core's cache
-constexpr int block_side = subtile_side;
-constexpr int most_lanes = 64;  // per pack
+constexpr int most_lanes = 64;   // per pack
 
 // A pool of rays, as a structure of arrays, shared by code of several pack widths.
 template <class Real>

@@ -61,13 +61,11 @@ inline constexpr int outer_cones = subtile_side;
 inline constexpr int inner_cones = 2;
 
 // Returns the number of a band's cones of all levels.
-inline vk::DeviceSize tiles_of(const Starts& starts, int width, int rows)
+inline vk::DeviceSize cones_of(const Starts& starts, int width, int rows)
 {
     vk::DeviceSize tiles = 0;
     for (int pass = 0; pass < starts.cone_passes; ++pass) {
-        const int side = starts.cones[pass].side;
-        tiles += static_cast<vk::DeviceSize>(tiles_along(width, side)) *
-                 static_cast<vk::DeviceSize>(tiles_along(rows, side));
+        tiles += static_cast<vk::DeviceSize>(tiles_of(width, rows, starts.cones[pass].side));
     }
     return tiles;
 }
@@ -205,7 +203,7 @@ private:
     void count_cones(const Band& band)
     {
         const auto* spent = reinterpret_cast<const int*>(bench_.buffers[cone_work_buffer].bytes);
-        add_cone_work(work_, {spent, 2 * tiles_of(starts_, scene_.width, band.rows)});
+        add_cone_work(work_, {spent, 2 * cones_of(starts_, scene_.width, band.rows)});
     }
 
     void dispatch(int stages, const Band& band, int steps)

@@ -121,7 +121,7 @@ private:
 
         const auto upload = Clock::now();
         bind_buffers<Real>(
-            pixels, std::max<vk::DeviceSize>(1, tiles_of(limits.starts, scene.width, rows_per_band(scene, limits))));
+            pixels, std::max<vk::DeviceSize>(1, cones_of(limits.starts, scene.width, rows_per_band(scene, limits))));
         gpu.commands().updateBuffer<KernelScene<Real>>(*session_->bench.buffers[scene_buffer].handle, 0, kernel);
         gpu.barrier();
         gpu.finish("uploading the scene");

@@ -128,13 +128,14 @@ public:
     void run(Entry entry, const Band& band, int) override
     {
         const int width = job_.scene.width;
-        const auto tiles = [&](int side) { return tiles_along(width, side) * tiles_along(band.rows, side); };
         if (entry == Entry::cones) {
-            cones_ = {.tiles = tiles(band.cones.side)};  // launched together with the pixels of the first lattice
+            cones_ = {.tiles = tiles_of(width, band.rows,
+                                        band.cones.side)};  // launched together with the pixels of the first lattice
             return;
         }
         const Launch cones = std::exchange(cones_, {});
-        const Launch pixels{.cells = tiles(cell_side(band.lattice)), .width = width, .rows = band.rows};
+        const Launch pixels{
+            .cells = tiles_of(width, band.rows, cell_side(band.lattice)), .width = width, .rows = band.rows};
         job_.first_row = band.first_row;
         job_.rows = band.rows;
         job_.lattice = band.lattice;
@@ -185,8 +186,7 @@ private:
         const int rows = rows_per_band(scene, limits);
         job_.cone_side = limits.starts.tile_side();
         if (job_.cone_side > 0) {
-            const std::size_t tiles = static_cast<std::size_t>(tiles_along(scene.width, job_.cone_side)) *
-                                      static_cast<std::size_t>(tiles_along(rows, job_.cone_side));
+            const auto tiles = static_cast<std::size_t>(tiles_of(scene.width, rows, job_.cone_side));
             job_.starts = static_cast<Real*>(memory_.starts.of_size(tiles * sizeof(Real)));
             job_.cone_work = static_cast<int*>(memory_.cone_work.of_size(2 * tiles * sizeof(int)));
         }
@@ -200,8 +200,7 @@ private:
     void add_cone_work(const Band& band)
     {
         if (job_.cone_side == 0) return;
-        std::vector<int> spent(2 * static_cast<std::size_t>(tiles_along(job_.scene.width, job_.cone_side)) *
-                               static_cast<std::size_t>(tiles_along(band.rows, job_.cone_side)));
+        std::vector<int> spent(2 * static_cast<std::size_t>(tiles_of(job_.scene.width, band.rows, job_.cone_side)));
         model_.read_back(spent.data(), job_.cone_work, spent.size() * sizeof(int));
         mandelmarch::add_cone_work(work_, spent);
     }

@@ -46,8 +46,6 @@ inline constexpr int block_threads = 128;
 // The 32 threads of a warp render a rectangle of pixels of this size, so that their rays stay close together.
 inline constexpr int warp_width = 8;
 inline constexpr int warp_height = 4;
-// Side in pixels of the tiles whose rays begin at the end of one cone, on a GPU.
-inline constexpr int gpu_cone_side = 4;
 
 // Returns the number of GPU thread blocks that march `tiles` cones.
 constexpr int blocks_of_cones(int tiles) { return (tiles + block_threads - 1) / block_threads; }

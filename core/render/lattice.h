@@ -28,7 +28,8 @@ struct Lattices {
 
 inline constexpr Lattices all_at_once{{{0, 1}}, 1};
 
-inline constexpr int subtile_side = 8;  // pixels; max side of a tile whose rays begin at the end of one cone
+inline constexpr int gpu_cone_side = 4;  // pixels; side of the tiles with cones on GPUs without neighbours
+inline constexpr int subtile_side = 8;   // pixels; max side of a tile whose rays begin at the end of one cone
 
 // The cones of a band: one around the rays of each tile of side x side pixels, counted from the band's first row. They
 // begin where the cones of the tiles of within x within pixels around them ended; 0: at the hull.
@@ -52,6 +53,9 @@ constexpr bool has_starts(const Starts& starts) { return starts.cone_passes > 0 
 
 // Returns the number of tiles with the given side in a row or column of `pixels` pixels.
 constexpr int tiles_along(int pixels, int side) { return (pixels + side - 1) / side; }
+
+// Returns the number of tiles with the given side in width x rows pixels.
+constexpr int tiles_of(int width, int rows, int side) { return tiles_along(width, side) * tiles_along(rows, side); }
 
 // The pixels of a lattice lie in cells of cell_side() x cell_side() pixels. A cell has places_of_cell() of them: the
 // first lattice's lie at the cells' lower left corners; those of later lattices lie around these corners.

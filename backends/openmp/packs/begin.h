@@ -70,10 +70,10 @@ HWY_NOINLINE void find_neighbour_starts(const Drawing& d, int left, int bottom, 
 HWY_INLINE bool find_block_starts(const Drawing& d, int left, int bottom, Square& square)
 {
     const int side = square.across() << square.log2_apart;
-    const int log2_pixels = log2_of(block_side) - square.log2_apart;  // log2 of the pixels on a subtile's side
+    const int log2_pixels = log2_of(subtile_side) - square.log2_apart;  // log2 of the pixels on a subtile's side
     bool all_gone = true;
-    for (int y = 0; y < side && bottom + y < d.canvas.end_row; y += block_side) {
-        for (int x = 0; x < side && left + x < d.scene.width; x += block_side) {
+    for (int y = 0; y < side && bottom + y < d.canvas.end_row; y += subtile_side) {
+        for (int x = 0; x < side && left + x < d.scene.width; x += subtile_side) {
             const MM_REAL start = d.canvas.block_start[block_number(d, left + x, bottom + y)];
             all_gone = all_gone && start > d.scene.end;
             MM_REAL* to =
@@ -121,10 +121,10 @@ HWY_INLINE void clear_neighbours(const Drawing& d, const Blocks& blocks)
         const MM_REAL depth = d.canvas.block_start[blocks.number[block]] > d.scene.end ? clear_miss() : unclear_miss();
         const int left = static_cast<int>(blocks.left[block]);
         const int bottom = static_cast<int>(blocks.bottom[block]);
-        for (int y = bottom; y < bottom + block_side && y < d.canvas.end_row; y += 2) {
+        for (int y = bottom; y < bottom + subtile_side && y < d.canvas.end_row; y += 2) {
             MM_REAL* row =
                 d.canvas.neighbour_depth + (std::ptrdiff_t{y - d.canvas.first_row} * d.scene.width + left) / 2;
-            for (int x = 0; x < block_side / 2 && left + 2 * x < d.scene.width; ++x) row[x] = depth;
+            for (int x = 0; x < subtile_side / 2 && left + 2 * x < d.scene.width; ++x) row[x] = depth;
         }
     }
 }

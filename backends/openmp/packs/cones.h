@@ -25,7 +25,7 @@ HWY_NOINLINE void begin_cones(Drawing& d, const Blocks& blocks)
         RayPack a;
         a.pixel = load_lanes(blocks.number + from);
         a.ray = begin_cone(d.scene, real_of(load_lanes(blocks.left + from)), real_of(load_lanes(blocks.bottom + from)),
-                           block_side);
+                           subtile_side);
         mask ended = first_lanes(blocks.count - from);
         if (d.canvas.cones) {
             const mask go = ended && a.ray.t <= a.ray.end;

@@ -30,7 +30,7 @@ HWY_INLINE mask march_on(const Scene& scene, const Canvas<MM_REAL>& canvas, Pool
 HWY_INLINE mask march_cones_on(const Scene& scene, Pool& pool, int from, const Estimate& here, const mask& on)
 {
     RayPack a = load<RayPack, roomless>(pool, from);
-    a.ray = advanced_cone(scene, a.ray, cone_width(scene, block_side), here, on);
+    a.ray = advanced_cone(scene, a.ray, cone_width(scene, subtile_side), here, on);
     store<marched>(a, pool, from);
     return on && cone_goes(a.ray);
 }

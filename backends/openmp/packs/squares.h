@@ -26,7 +26,7 @@ HWY_INLINE hn::Vec<D> looked_up(D d, const hn::TFromD<D>* from, hn::Vec<Wholes> 
 
 // Positions of a square's columns or rows in the picture; the picture extends from -1 to 1.
 struct PicturePlaces {
-    MM_REAL at[block_side + register_lanes];  // padded, because whole registers are read
+    MM_REAL at[subtile_side + register_lanes];  // padded, because whole registers are read
 
     HWY_INLINE PicturePlaces(const Square& square, int first, int size)
     {
