@@ -4,7 +4,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 install(TARGETS mandelbulb mandelbox render imgdiff flythrough RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-list(TRANSFORM MANDELMARCH_BACKENDS PREPEND mandelmarch_ OUTPUT_VARIABLE backend_targets)
+list(TRANSFORM MANDELMARCH_BUILT PREPEND mandelmarch_ OUTPUT_VARIABLE backend_targets)
 install(TARGETS mandelmarch_core mandelmarch_instruments mandelmarch_version mandelmarch_backends mandelmarch_warnings ${backend_targets}
     EXPORT mandelmarch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/instruments ${PROJECT_SOURCE_DIR}/backends

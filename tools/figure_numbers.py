@@ -56,6 +56,11 @@ def convergence(results, key="convergence"):
     return f"{results.json('code_divergence')[key]:.2f}"
 
 
+def own_lines(results, backend):
+    """Lines of code in a backend's own folder."""
+    return str(next(m["lines"] for m in results.json("code_divergence")["models"] if m["backend"] == backend))
+
+
 def cost(results, technique, fractal, precision):
     """Percentage that a technique adds to the kernel time of a fast picture."""
     row = row_of(results, "ablation", fractal, precision, "fast", f"without={technique}")
@@ -214,6 +219,7 @@ NUMBERS = {
     "one-register": one_register,
     "over-openmp": over_openmp,
     "over-scalar": over_scalar,
+    "own-lines": own_lines,
     "rows-verified": rows_verified,
     "share": share,
     "speed-up": speed_up,

@@ -20,9 +20,7 @@ NOT_RUN = {
     "make video-preview": "takes a minute",
     "make video": "takes an hour",
     "make bench": "takes eight minutes",
-    "make equivalence": "takes minutes",
     "make explore": "builds what is built already",
-    "make bundle": "takes minutes, and has a test of its own",
     "make gpu-quarter": "takes minutes, and has a test of its parts",
     "make report": "takes minutes and installs Python packages",
 }

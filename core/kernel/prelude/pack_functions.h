@@ -123,7 +123,7 @@ FN real rough_log(real x)
     return x;
 }
 
-FN real over_root(real a, const real& less, const real& b)
+FN real over_root(real a, const real& /*less*/, const real& b)
 {
     EACH_REGISTER(a.of[u] = hn::Mul(a.of[u], hn::ApproximateReciprocalSqrt(b.of[u]));)
     return a;
