@@ -11,8 +11,8 @@
 
 namespace mandelmarch::bench {
 
-// Fractions of lanes that are active, 0 to 1: averages over the steps, and over the DE iterations, of vectors. A step
-// of a vector takes as many iterations as its slowest lane; a lane that needs fewer is inactive in the remaining ones.
+// Fractions of lanes that are active, 0 to 1: the average over all steps that vectors take, and the average over all
+// their DE iterations. A step of a vector takes as many iterations as its slowest lane; a lane that needs fewer is inactive in the remaining ones.
 struct ActiveLanes {
     double in_steps = 1, in_iterations = 1;
 };

@@ -194,8 +194,8 @@ Portability of(const Problem& problem, const PlatformTimes& field, const std::st
     p.platforms = field.efficiencies(application, field.seconds(nullptr));
     p.application_portability = mean_of(p.platforms, &OnPlatform::application);
     p.architecture_portability = mean_of(p.platforms, &OnPlatform::architecture);
-    // The metric is computed many times, each time from random times (drawn()). The intervals are percentiles of these
-    // values.
+    // The metric is computed from many random draws of the kernel times (drawn()). The intervals are percentiles of
+    // these values.
     std::mt19937_64 random(1);
     std::vector<double> by_application;
     std::vector<double> by_architecture;

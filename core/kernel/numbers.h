@@ -4,8 +4,8 @@
 // rounding. Every polynomial is a Taylor series, cut where its remainder is below 2^-56 of the result (in double).
 
 // Returns the natural logarithm of x; -1e30 for x <= 0. With x = 2^e m and m in [1/sqrt 2, sqrt 2], ln m = 2 artanh
-// s, where s = (m - 1) / (m + 1) and |s| <= 0.1716. ln 2 is split into two parts; the first has so few bits that e
-// times it is exact.
+// s, where s = (m - 1) / (m + 1) and |s| <= 0.1716. ln 2 is split into two parts. The first
+// has so few bits that its product with e is exact.
 FN real natural_log(real x)
 {
     real e = exponent_of(x);

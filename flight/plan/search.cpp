@@ -21,7 +21,7 @@ constexpr double whim = 1.0;           // largest random increase of a gate's co
 constexpr double changing_reach = 70;  // clearances, without penalties; farther gates move before the camera arrives
 constexpr double stroll_reach = 40;    // clearances; largest distance of the fallback (see Search::stroll)
 constexpr double same_gate = 0.03;     // fractal sizes; two gates of different shapes count as one if they are closer
-// near() accepts a ball that does not contain the place under three conditions:
+// If no ball contains the place, near() accepts another ball under three conditions:
 constexpr double over = 4;          // - its centre is closer to the place than this, in clearances of the ball;
 constexpr std::size_t tried = 24;   // - it is one of this number of closest balls;
 constexpr double free_share = 0.3;  // - all estimates in between exceed this fraction of the roadmap's least clearance.

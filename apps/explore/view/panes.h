@@ -52,7 +52,7 @@ public:
     void set_view(const Scene& scene, std::uint64_t version, bool marks);
     // Renders the missing pictures. Returns at the time `until` at the latest. `moving`: the camera moves. In this
     // case, chooses the pictures' size so that all of them together take `budget` seconds. Otherwise renders each
-    // picture at full size, once for each number of samples_at_rest that applies.
+    // picture at full size, first with the fewest samples per pixel of samples_at_rest, then with more.
     void work(SDL_Renderer* renderer, bool moving, double budget, Moment until);
     // Returns true if a picture at rest is still missing.
     bool missing() const;
