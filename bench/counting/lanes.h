@@ -12,7 +12,8 @@
 namespace mandelmarch::bench {
 
 // Fractions of lanes that are active, 0 to 1: the average over all steps that vectors take, and the average over all
-// their DE iterations. A step of a vector takes as many iterations as its slowest lane; a lane that needs fewer is inactive in the remaining ones.
+// their DE iterations. A step of a vector takes as many iterations as its slowest lane; a lane that needs fewer is
+// inactive in the remaining ones.
 struct ActiveLanes {
     double in_steps = 1, in_iterations = 1;
 };

@@ -122,10 +122,10 @@ struct FractalFlight {
     // Returns the min magnification of an iteration. Features that iteration n adds have about growth^-n times the
     // fractal's size.
     double (*growth)(const Scene& scene) = defaults::growth;
-    // Fractions of the estimate that can be trusted. safety: a sphere around a point, with this fraction of the estimate as
-    // its radius, contains no surface, unless the point itself is close to the surface. step_factor: the step factor for films. It can be smaller than
-    // `safety`, because close to the surface an estimate can exceed the distance. `conservative` is for the
-    // conservative estimate, if the fractal has one.
+    // Fractions of the estimate that can be trusted. safety: a sphere around a point, with this fraction of the
+    // estimate as its radius, contains no surface, unless the point itself is close to the surface. step_factor: the
+    // step factor for films. It can be smaller than `safety`, because close to the surface an estimate can exceed the
+    // distance. `conservative` is for the conservative estimate, if the fractal has one.
     struct Trust {
         double safety = 0.5;
         double step_factor = 0.5;
