@@ -34,7 +34,6 @@ namespace {
 
 using namespace mandelmarch;
 
-constexpr int film_look = 3;                 // the default look (colouring type) of a film
 constexpr std::size_t long_flight = 20'000;  // frames; a message announces the audit of a longer flight
 
 // Returns the scene to fly through: that of the parameter file or, without one, the official scene. The scene's camera
@@ -50,7 +49,7 @@ Scene scene_of(const Flythrough& options, bool warns = false)
         }
         scene = file.scene;
     }
-    scene.colouring = options.look.value_or(film_look);
+    scene.colouring = options.look.value_or(default_look);
     scene.conservative = options.conservative;
     return scene;
 }

@@ -55,7 +55,7 @@ const Backend& chosen_backend(const Registry& registry, const std::string& name,
     if (const std::string option = unheeded(*choice.backend, options); !option.empty()) {
         choice = {&registry.with(Role::host), fmt::format("{} is given", option)};
     }
-    if (tells) say("backend {}: {}\n", choice.backend->name(), choice.reason);
+    if (tells) say("drawing with {} ({})\n", choice.backend->name(), choice.reason);
     return *choice.backend;
 }
 

@@ -100,7 +100,9 @@ int body(int argc, char** argv)
     std::string said;
     const Settings settings = settings_of(options, file, said);
     Window window("mandelmarch explore", settings.width, settings.height);
-    Model model(registry, settings, options.folder, official_scene(fractal));
+    Scene scene = official_scene(fractal);
+    scene.colouring = settings.look;
+    Model model(registry, settings, options.folder, scene);
     Explorer explorer(model, window);
     model.say(said);
     if (!options.file.empty()) model.open(options.file);

@@ -19,11 +19,11 @@ namespace {
 // Untested: gcc's offload compiler builds the kernels, but they were never run.
 constexpr acc_device_t gpu = acc_device_radeon;
 constexpr const char* gpu_code = "GCN";
-constexpr const char* gpu_maker = "AMD";
+constexpr const char* gpu_kind = "AMD GPU";
 #else
 constexpr acc_device_t gpu = acc_device_nvidia;
 constexpr const char* gpu_code = "PTX for sm_35";
-constexpr const char* gpu_maker = "NVIDIA";
+constexpr const char* gpu_kind = "NVIDIA GPU";
 #endif
 
 // Pixels per band on the host, where bands serve only to report progress.
@@ -70,6 +70,7 @@ public:
     {
         return {.role = Role::accelerator,
                 .has_driver = true,
+                .gpus = gpu_kind,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return {openacc::drawing, openacc::chains}; }
@@ -89,8 +90,8 @@ public:
                     .refill_lanes = job::knows_threads(pixels),
                     .peak_threads = gpu_threads};
         }
-        const std::string name = fmt::format(
-            "host, one thread: {}", gpus() == 0 ? fmt::format("no {} GPU here", gpu_maker) : "instead of a GPU");
+        const std::string name =
+            fmt::format("host, one thread: {}", gpus() == 0 ? fmt::format("no {} here", gpu_kind) : "instead of a GPU");
         return {.device = {.name = name,
                            .vendor = "OpenACC run-time library",
                            .driver = "compiler " __VERSION__,

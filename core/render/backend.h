@@ -195,6 +195,7 @@ struct BackendInfo {
     bool chunk = false;
     bool band = false;
     bool block_size = false;
+    std::string_view gpus = "GPU";  // the kind of GPU that an accelerator needs, for messages
     KernelBuild build = {};
 };
 

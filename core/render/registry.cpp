@@ -75,12 +75,12 @@ AutomaticChoice Registry::automatic() const
         const Listing listing = listing_of(*backend);
         const auto gpu = std::ranges::find_if(listing.devices, &Device::is_gpu);
         if (gpu != listing.devices.end()) {
-            return {backend.get(), fmt::format("{} has the GPU {}", backend->name(), gpu->name)};
+            return {backend.get(), fmt::format("GPU {}", gpu->name)};
         }
-        reason += fmt::format("{}{} has no GPU: {}", reason.empty() ? "" : "; ", backend->name(),
-                              !listing.failure.empty()       ? listing.failure
-                              : !listing.unavailable.empty() ? listing.unavailable
-                                                             : "only the host");
+        if (!reason.empty()) reason += "; ";
+        reason += !listing.failure.empty()       ? listing.failure
+                  : !listing.unavailable.empty() ? fmt::format("{}: {}", backend->name(), listing.unavailable)
+                                                 : fmt::format("no {} here", backend->info().gpus);
     }
     return {&with(Role::host), reason.empty() ? "this build has no accelerator" : reason};
 }

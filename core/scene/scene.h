@@ -16,7 +16,13 @@ struct Fractal;
 inline constexpr int max_iterations = 10'000;    // max number of iterations of a DE evaluation
 inline constexpr double degrees_per_field = 65;  // vertical angle of view for a field of view of 1
 inline constexpr double max_field_of_view = 180 / degrees_per_field;
-inline constexpr int colouring_types = 5;  // 0 and 1: of the original program; 2 and above: core/kernel/looks.h
+
+// Names of the colouring types. 0 and 1 are those of the original program, which makes colours from the components of
+// the normal, x as red or x as blue. 2 and above are looks (core/kernel/looks.h).
+inline constexpr std::array<std::string_view, 5> colouring_names{"original RGB", "original BGR", "limestone", "coral",
+                                                                 "lagoon"};
+inline constexpr int colouring_types = static_cast<int>(colouring_names.size());
+inline constexpr int default_look = 3;  // the colouring type of films, and of explore at its first start
 
 // The original program's step factor.
 inline constexpr double plain_step_factor = 0.95;

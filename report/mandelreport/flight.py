@@ -90,7 +90,7 @@ def film_of_log(name: str, text: str) -> Film | None:
     frames = re.search(r"^(\w+), seed \d+, (\d+) frames", text, re.M)
     if not done or not frames or done[1] != done[2]:
         return None
-    device = re.search(r"^backend (.+)$", text, re.M)
+    device = re.search(r"^drawing with (.+)$", text, re.M)
     return Film(
         name,
         frames[1],

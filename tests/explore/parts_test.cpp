@@ -15,10 +15,13 @@
 #include "apps/explore/model/motion.h"
 #include "apps/explore/view/resolution_control.h"
 #include "apps/explore/model/settings.h"
+#include "apps/explore/model/shown_view.h"
+#include "apps/explore/model/start_views.h"
 #include "apps/survey.h"
 #include "apps/explore/model/smooth.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
@@ -174,7 +177,30 @@ TEST(ExploreActions, NamesAndKeysAreUnique)
     EXPECT_EQ(action_named("fly"), nullptr);
 }
 
-TEST(ExploreViews, WhatIsHandedOutReadsAsTheView)
+TEST(ExploreViews, ANarrowPaneShowsTheWidthOfThePictureThatFillsTheWindow)
+{
+    ShownView view(official("box"), {});
+    view.set_size(600, 400, 1.5);
+    EXPECT_EQ(view.shown(), view.scene());
+    const double whole = length(camera_of(view.shown()).across);
+    view.set_size(299, 400, 1.5);
+    EXPECT_NEAR(length(camera_of(view.shown()).across), whole, 1e-12);
+    // Negative control: the view's own field of view cuts off the sides.
+    EXPECT_LT(length(camera_of(view.scene()).across), 0.51 * whole);
+    EXPECT_EQ(view.scene().field_of_view, official("box").field_of_view);
+}
+
+TEST(ExploreViews, StartViewsHaveTheDefaultLookAndAreOutsideTheSolid)
+{
+    EXPECT_FALSE(start_views().empty());
+    for (const StartView& start : start_views()) {
+        Scene scene = parse_parameters(start.text, std::string(start.name), fractal_named(start.fractal)).scene;
+        EXPECT_EQ(scene.colouring, default_look) << start.name;
+        EXPECT_GT(Motion().clearance(scene), 0) << start.name;
+    }
+}
+
+TEST(ExploreViews, SavedTextReadsAsTheSameView)
 {
     Scene scene = official("bulb");
     scene.eye.x = 1.2345678901234567;
@@ -189,22 +215,28 @@ TEST(ExploreViews, WhatIsHandedOutReadsAsTheView)
     EXPECT_TRUE(view_of_text(view_text(scene), "view.dat", fractal_named("box")).conservative);
 }
 
-TEST(ExploreSettings, AreKeptAndWhatIsNoneIsSaid)
+TEST(ExploreSettings, AreKeptAndAnInvalidFileGivesAMessage)
 {
     const TemporaryFolder folder;
     const std::string file = folder.path() / "mandelmarch/explore.json";
     Settings settings;
     settings.speed = 2;
+    settings.look = 4;
     settings.setup = {"vulkan", 1, Precision::f64, Mode::exact};
     write_settings(file, settings);
     std::string said;
     const Settings read = read_settings(file, said);
     EXPECT_EQ(read.setup, settings.setup);
     EXPECT_EQ(read.speed, 2);
+    EXPECT_EQ(read.look, 4);
     EXPECT_EQ(said, "");
     std::ofstream(file) << "{\"width\": \"wide\"}";
     EXPECT_EQ(read_settings(file, said).speed, 1);
-    EXPECT_NE(said.find("no file of settings"), std::string::npos);
+    EXPECT_NE(said.find("not a settings file"), std::string::npos);
+    std::ofstream(file) << "{\"look\": 99}";
+    EXPECT_LT(read_settings(file, said).look, colouring_types);
+    std::ofstream(file) << "{}";
+    EXPECT_EQ(read_settings(file, said).look, default_look);
 }
 
 }  // namespace

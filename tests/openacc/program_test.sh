@@ -14,7 +14,7 @@ test_without_a_gpu() {
     expect 77 bulb openacc --device 1 --output b.png
     says 'there is no device 1'
     expect 0 bulb auto --output c.png --stats c.json
-    says '^backend openmp: openacc has no GPU'
+    says '^drawing with openmp \(no NVIDIA GPU here\)$'
     grep -q '"backend": "openmp"' c.json || fail "auto took another backend than openmp"
 }
 

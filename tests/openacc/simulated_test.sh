@@ -19,7 +19,7 @@ test_devices() {
     says 'there is no device 4, only 0 to 3'
     unset SIMULATED_GPUS
     backend=auto expect 0 bulb --output a.png
-    says '^backend openacc: openacc has the GPU Simulated K40 number 0'
+    says '^drawing with openacc \(GPU Simulated K40 number 0\)$'
 }
 
 # The picture has slightly more than 2^19 pixels. Therefore it is rendered in two bands or, if a watchdog ends long

@@ -14,7 +14,7 @@ test_pictures() {
     expect 0 "$bin/render" --fractal mandelbox paramsBox.dat $small --output again.bmp
     same_file image.bmp again.bmp
     expect 0 "$bin/mandelbox" paramsBox.dat --size 40x30 --output again.png
-    says '^backend openmp: '
+    says '^drawing with openmp \('
     for format in bmp png exr ppm jpg; do expect 0 bulb --output a.$format; done
     for format in bmp png exr; do same_picture a.$format a.$format; done
     [ "$(head -c 3 a.jpg | od -An -tx1)" = " ff d8 ff" ] || fail "a.jpg is no JPEG"

@@ -308,11 +308,12 @@ class ReportTest(unittest.TestCase):
 
     def test_film_of_a_log(self) -> None:
         log = (
-            "backend openmp: no GPU\nmandelbox, seed 3, 600 frames (20.0 s); ! is a promise\n"
+            "drawing with openmp (no GPU here)\nmandelbox, seed 3, 600 frames (20.0 s); ! is a promise\n"
             "film: 10 of 10 segments rendered in 150.0 s by 2 processes; video.mp4 is complete\n"
         )
         film = flight.film_of_log("film.txt", log)
         self.assertEqual((film.fractal, film.frames, film.processes, film.per_frame), ("mandelbox", 600, 2, 0.25))
+        self.assertEqual(film.device, "openmp (no GPU here)")
         # The log of a film that was resumed has no time for the whole film.
         self.assertIsNone(flight.film_of_log("film.txt", log.replace("10 of 10", "4 of 10")))
         self.assertIsNone(flight.film_of_log("film.txt", "film: nothing\n"))

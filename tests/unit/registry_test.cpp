@@ -52,6 +52,7 @@ BackendInfo all_facts()
             .threads = true,
             .simd_width = true,
             .chunk = true,
+            .gpus = "made GPU",
             .build = {"a compiler", "-exact", "-fast"}};
 }
 
@@ -59,6 +60,7 @@ void expect_all(const BackendInfo& info)
 {
     EXPECT_EQ(info.role, Role::accelerator);
     EXPECT_TRUE(info.has_driver && info.threads && info.simd_width && info.chunk);
+    EXPECT_EQ(info.gpus, "made GPU");
     EXPECT_EQ(info.build.compiler, "a compiler");
     EXPECT_EQ(info.build.exact, "-exact");
     EXPECT_EQ(info.build.fast, "-fast");
@@ -97,15 +99,15 @@ TEST(BackendInfo, EveryBackendThatIsBuiltSaysHow)
 TEST(Automatic, TakesTheFirstAcceleratorWithAGpuElseTheHost)
 {
     const Made host("cores", {.role = Role::host});
-    const Made idle("first", {.role = Role::accelerator});
+    const Made idle("first", {.role = Role::accelerator, .gpus = "made GPU"});
     const Made ready("second", {.role = Role::accelerator}, true);
     const Made plain("third", {}, true);
     const Registry with_gpu = registry_of(plain, host, idle, ready);
     EXPECT_EQ(with_gpu.automatic().backend->name(), "second");
-    EXPECT_EQ(with_gpu.automatic().reason, "second has the GPU made");
+    EXPECT_EQ(with_gpu.automatic().reason, "GPU made");
     const Registry without = registry_of(plain, idle, host);
     EXPECT_EQ(without.automatic().backend->name(), "cores") << "a GPU counts only for an accelerator";
-    EXPECT_EQ(without.automatic().reason, "first has no GPU: only the host");
+    EXPECT_EQ(without.automatic().reason, "no made GPU here");
     EXPECT_EQ(registry_of(host).automatic().reason, "this build has no accelerator");
     EXPECT_THROW(registry_of(idle).automatic(), Unavailable);
 }

@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "core/scene/fractal.h"
-#include "core/scene/parameter_file.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -44,16 +43,19 @@ void next_fractal(Model& model, Desktop& /*desktop*/)
     const auto all = fractals();
     const auto at = static_cast<std::size_t>(model.view.scene().fractal - all.data());
     const Fractal& next = all[(at + 1) % all.size()];
-    model.change(official_scene(next));
+    model.change(model.official(next));
     model.say(std::string(next.name));
 }
 
 void next_colouring(Model& model, Desktop& /*desktop*/)
 {
-    model.view.remember();
-    Scene scene = model.view.scene();
-    scene.colouring = (scene.colouring + 1) % colouring_types;
-    model.view.set(scene);
+    model.choose_look((model.view.scene().colouring + 1) % colouring_types);
+}
+
+void next_view(Model& model, Desktop& /*desktop*/)
+{
+    if (start_views().empty()) throw Error("this build has no views to start from");
+    model.start_from(start_views()[model.next_start]);
 }
 
 // Adds a pane with another precision or mode. If there are four panes already, only the first one stays.
@@ -198,7 +200,8 @@ constexpr std::array table{
     Action{"next-mode", "F6", "switch between exact and fast",
            [](Model& m, Desktop&) { use(m, with_other_mode(m.view.setup())); }},
     Action{"next-fractal", "F7", "next fractal", next_fractal},
-    Action{"next-colouring", "F8", "next colouring type", next_colouring},
+    Action{"next-colouring", "F8", "next look (colouring type)", next_colouring},
+    Action{"next-view", "V", "next view to start from", next_view, over_pictures},
     Action{"more-panes", "F9", "add a picture at the side, up to four; then go back to one", more_panes},
     Action{"next-pane", "F10", "next pane", [](Model& m, Desktop&) { m.view.choose(m.view.chosen() + 1); }},
     Action{"marks", "M", "turn the marks of differing pixels on or off",
@@ -208,8 +211,8 @@ constexpr std::array table{
            },
            over_pictures},
     Action{"full-screen", "F11", "turn full screen on or off", [](Model&, Desktop& d) { d.toggle_full_screen(); }},
-    Action{"reset-view", "Home", "reset the view to the official scene",
-           [](Model& m, Desktop&) { m.change(official_scene(*m.view.scene().fractal)); }, over_pictures},
+    Action{"reset-view", "Home", "reset the view to the official scene; the look stays",
+           [](Model& m, Desktop&) { m.change(m.official(*m.view.scene().fractal)); }, over_pictures},
     Action{"walls", "C", "switch between flying through walls and stopping at them", toggle_walls, over_pictures},
     Action{"undo", "Ctrl+Z", "undo", [](Model& m, Desktop&) { after_undo(m, m.view.undo(), "undo"); }},
     Action{"redo", "Ctrl+Y", "redo", [](Model& m, Desktop&) { after_undo(m, m.view.redo(), "redo"); }},

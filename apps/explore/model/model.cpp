@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
 namespace mandelmarch::explore {
 
 Model::Model(const Registry& registry_, const Settings& settings_, std::string folder_, const Scene& scene)
@@ -34,6 +37,32 @@ void Model::change(const Setup& setup)
 {
     view.remember();
     view.set(setup);
+}
+
+Scene Model::official(const Fractal& fractal) const
+{
+    Scene scene = official_scene(fractal);
+    scene.colouring = view.scene().colouring;
+    return scene;
+}
+
+void Model::choose_look(int look)
+{
+    view.remember();
+    Scene scene = view.scene();
+    scene.colouring = settings.look = look;
+    view.set(scene);
+    say(fmt::format("look: {}", colouring_names.at(static_cast<std::size_t>(look))));
+}
+
+void Model::start_from(const StartView& start)
+{
+    attempt([&] {
+        change(parse_parameters(start.text, std::string(start.name), fractal_named(start.fractal)).scene);
+        say(fmt::format("{}, {}", start.name, start.fractal));
+    });
+    const auto number = static_cast<std::size_t>(&start - start_views().data());
+    next_start = (number + 1) % start_views().size();
 }
 
 void Model::show_path() { show(path_editor.scene(view.scene().width, view.scene().height)); }

@@ -10,6 +10,7 @@
 #include "apps/explore/model/path_editor.h"
 #include "apps/explore/model/settings.h"
 #include "apps/explore/model/shown_view.h"
+#include "apps/explore/model/start_views.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::explore {
@@ -29,7 +30,8 @@ public:
     PictureTask picture;
     int picture_width = 1920, picture_height = 1080;  // pixels; size of exported pictures and films
     int tour_seed = 1, tour_frames = 1800;
-    bool marks = true;  // pixels that differ from the first pane are marked
+    std::size_t next_start = 0;  // index in start_views() of the view that the action next-view shows
+    bool marks = true;           // pixels that differ from the first pane are marked
     bool help = false;
     bool paths = false;  // the paths panel is shown
     bool quit = false;
@@ -54,6 +56,12 @@ public:
     // Saves the current state for undo, then changes the view.
     void change(const Scene& scene);
     void change(const Setup& setup);
+    // Returns the official scene of a fractal, in the look of the view.
+    Scene official(const Fractal& fractal) const;
+    // Shows the view in another look, a colouring type. The next run of explore starts with this look.
+    void choose_look(int look);
+    // Shows a view of start_views(). Errors are shown as messages.
+    void start_from(const StartView& start);
     // Sets the view to the current position in the path.
     void show_path();
     // Opens a parameter file or a path file. Errors are shown as messages.

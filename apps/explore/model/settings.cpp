@@ -8,7 +8,6 @@
 
 #include "core/base/environment.h"
 #include "core/base/output_file.h"
-#include "core/scene/scene.h"
 #include "core/image/image.h"
 
 namespace mandelmarch::explore {
@@ -37,6 +36,7 @@ Settings read_settings(const std::string& file, std::string& said)
         read.setup.device = std::max(0, json.value("device", 0));
         read.setup.precision = json.value("precision", "float") == "double" ? Precision::f64 : Precision::f32;
         read.setup.mode = json.value("mode", "fast") == "exact" ? Mode::exact : Mode::fast;
+        read.look = std::clamp(json.value("look", read.look), 0, colouring_types - 1);
         read.speed = std::clamp(json.value("speed", read.speed), 1.0 / 16, 16.0);
         read.scale = std::clamp(json.value("scale", read.scale), 0.5, 4.0);
         read.collides = json.value("collides", read.collides);
@@ -44,7 +44,7 @@ Settings read_settings(const std::string& file, std::string& said)
         read.statistics = json.value("statistics", read.statistics);
         return read;
     } catch (const Json::exception&) {
-        said = file + ": it is no file of settings, so the defaults are used";
+        said = file + ": not a settings file, so the defaults are used";
         return settings;
     }
 }
@@ -60,6 +60,7 @@ void write_settings(const std::string& file, const Settings& settings)
                     {"device", settings.setup.device},
                     {"precision", mandelmarch::name_of(settings.setup.precision)},
                     {"mode", mandelmarch::name_of(settings.setup.mode)},
+                    {"look", settings.look},
                     {"speed", settings.speed},
                     {"scale", settings.scale},
                     {"collides", settings.collides},

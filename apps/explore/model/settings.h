@@ -5,14 +5,16 @@
 #include <string>
 
 #include "apps/explore/model/setup.h"
+#include "core/scene/scene.h"
 
 namespace mandelmarch::explore {
 
 struct Settings {
     int width = 960, height = 540;  // size of the window in pixels
     Setup setup{"openmp", 0, Precision::f32, Mode::fast};
-    double speed = 1;  // Motion::speed
-    double scale = 1;  // factor on the size of text
+    int look = default_look;  // colouring type of the official scenes at the start
+    double speed = 1;         // Motion::speed
+    double scale = 1;         // factor on the size of text
     bool collides = true;
     bool panel = true;
     bool statistics = true;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <numbers>
 #include <vector>
 
 #include "apps/explore/model/setup.h"
@@ -20,6 +22,17 @@ public:
 
     // Returns the scene. Its size is that of a pane, in pixels.
     const Scene& scene() const { return now_.scene; }
+    // Returns the scene as a pane shows it. The field of view is larger than that of scene() if the pane is narrower
+    // than the whole area for pictures, so that the pane shows the whole width of a picture that fills the area.
+    Scene shown() const
+    {
+        Scene scene = now_.scene;
+        const double aspect = static_cast<double>(scene.width) / scene.height;
+        if (aspect >= whole_aspect_) return scene;
+        constexpr double half = degrees_per_field / 2 * std::numbers::pi / 180;  // radians per unit of field of view
+        scene.field_of_view = std::atan(whole_aspect_ / aspect * std::tan(half * scene.field_of_view)) / half;
+        return scene;
+    }
     // Returns one setup per pane.
     const std::vector<Setup>& setups() const { return now_.setups; }
     // Returns the index of the pane whose setup the user changes.
@@ -37,11 +50,13 @@ public:
         changed();
     }
 
-    void set_size(int width, int height)
+    // Sets the size of a pane in pixels. `whole_aspect`: width / height of the whole area for pictures.
+    void set_size(int width, int height, double whole_aspect)
     {
-        if (now_.scene.width == width && now_.scene.height == height) return;
+        if (now_.scene.width == width && now_.scene.height == height && whole_aspect_ == whole_aspect) return;
         now_.scene.width = width;
         now_.scene.height = height;
+        whole_aspect_ = whole_aspect;
         changed();
     }
 
@@ -97,6 +112,7 @@ private:
     State now_;
     std::deque<State> past_, future_;
     std::size_t chosen_ = 0;
+    double whole_aspect_ = 0;
     std::uint64_t version_ = 1;
 };
 

@@ -75,7 +75,7 @@ bool Explorer::take_key(const SDL_Event& event)
 void Explorer::take_events()
 {
     const ImGuiIO& io = ImGui::GetIO();
-    const Scene& scene = model_.view.scene();
+    const Scene scene = model_.view.shown();
     const double radians = scene.field_of_view * degrees_per_field * std::numbers::pi / 180 / scene.height;
     for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
         if (event.type == SDL_QUIT) model_.quit = true;
@@ -136,7 +136,7 @@ void Explorer::arrange()
     const int left = static_cast<int>(panel_width_);
     area_ = {left, 0, std::max(1, width - left), height};
     panes_.arrange(model_.view.setups(), area_);
-    model_.view.set_size(panes_.place(0).w, panes_.place(0).h);
+    model_.view.set_size(panes_.place(0).w, panes_.place(0).h, static_cast<double>(area_.w) / area_.h);
 }
 
 // Returns the time in seconds for rendering while the camera moves. It is the part of a screen frame's time that other
@@ -167,7 +167,7 @@ void Explorer::tick()
         seen_ = view.version();
         model_.attempt([&] { clearance_ = model_.motion.clearance(view.scene()); });
     }
-    panes_.set_view(view.scene(), view.version(), model_.marks);
+    panes_.set_view(view.shown(), view.version(), model_.marks);
     model_.take_news();
 
     const double given = budget();
@@ -253,6 +253,7 @@ std::string Explorer::state() const
                     {"colouring", scene.colouring},
                     {"eye", {scene.eye.x, scene.eye.y, scene.eye.z}},
                     {"field_of_view", scene.field_of_view},
+                    {"shown_field_of_view", model_.view.shown().field_of_view},
                     {"clearance", clearance_},
                     {"panes", drawn},
                     {"said", model_.said()},

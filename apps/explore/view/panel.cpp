@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "apps/explore/view/panels.h"
@@ -76,15 +77,32 @@ private:
     Model& model_;
 };
 
+// Shows a list of names. If the user chooses an item, calls `choose` with it. `shown`: the name of the current item.
+template <class Items, class Name, class Choose>
+void list(const char* label, std::string_view shown, const Items& items, const Name& name, const Choose& choose)
+{
+    if (!ImGui::BeginCombo(label, std::string(shown).c_str())) return;
+    for (const auto& item : items) {
+        const std::string_view text = std::invoke(name, item);
+        if (ImGui::Selectable(std::string(text).c_str(), text == shown)) choose(item);
+    }
+    ImGui::EndCombo();
+}
+
+void lists(Model& model)
+{
+    const Scene& scene = model.view.scene();
+    list("fractal", scene.fractal->name, fractals(), &Fractal::name,
+         [&](const Fractal& fractal) { model.change(model.official(fractal)); });
+    list("start from", "choose a view", start_views(), &StartView::name,
+         [&](const StartView& start) { model.start_from(start); });
+    list("look", colouring_names.at(static_cast<std::size_t>(scene.colouring)), colouring_names, std::identity(),
+         [&](const std::string_view& name) { model.choose_look(static_cast<int>(&name - colouring_names.data())); });
+}
+
 void scene_items(Model& model)
 {
-    if (ImGui::BeginCombo("fractal", std::string(model.view.scene().fractal->name).c_str())) {
-        for (const Fractal& fractal : fractals()) {
-            const bool is = &fractal == model.view.scene().fractal;
-            if (ImGui::Selectable(std::string(fractal.name).c_str(), is)) model.change(official_scene(fractal));
-        }
-        ImGui::EndCombo();
-    }
+    lists(model);
     SceneItems items(model);
     Scene& scene = items.scene;
     const Fractal& fractal = *scene.fractal;
@@ -97,7 +115,6 @@ void scene_items(Model& model)
     items.number("detail level", scene.detail, {"", -37, 3, false, ParameterInfo::Slider{-6, -1, 0.1}}, -3);
     items.number("field of view", scene.field_of_view, {"", 1e-3, 2.7, false, ParameterInfo::Slider{0.2, 2.5, 0.05}},
                  1);
-    items.integer("colouring type", scene.colouring, 0, colouring_types - 1, colouring_types - 1);
     items.number("brightness", scene.brightness, {"", 0, 1e6, false, ParameterInfo::Slider{0.2, 3, 0.1}}, 1);
     items.box("conservative estimate", scene.conservative);
     items.vector("eye", scene.eye);
@@ -171,7 +188,7 @@ void export_items(Model& model, Desktop& desktop)
 {
     show_buttons(model, desktop, {{"save-view"}, {"copy"}, {"paste"}});
     int size[2] = {model.picture_width, model.picture_height};
-    if (ImGui::InputInt2("picture", size)) {
+    if (ImGui::InputInt2("picture size", size)) {
         model.picture_width = std::clamp(size[0], 1, max_side);
         model.picture_height = std::clamp(size[1], 1, max_side);
     }

@@ -50,7 +50,9 @@ void show_paths(Model& model, Desktop& desktop, float left)
     // This panel covers the other one if there is not enough room next to it.
     const bool beside = width > 12 * ImGui::GetFontSize();
     ImGui::SetNextWindowPos({beside ? left : 0, 0.0F});
-    ImGui::SetNextWindowSize({beside ? width : size.x, size.y * 0.7F});
+    const float used = beside ? width : size.x;
+    ImGui::SetNextWindowSize({used, 0});  // as high as its items
+    ImGui::SetNextWindowSizeConstraints({used, 0}, {used, size.y * 0.7F});
     ImGui::Begin("paths", &model.paths,
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);

@@ -16,7 +16,6 @@
 #include "core/base/error.h"
 #include "core/image/image.h"
 #include "core/scene/fractal.h"
-#include "core/scene/parameter_file.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -139,7 +138,8 @@ constexpr std::array commands{
             },
             after<3>},  // leaves the window manager time to resize the window
     Command{"open", 1, 1, [](auto& line, auto& on) { on.model.open(line.words[1]); }},
-    Command{"scene", 1, 1, [](auto& line, auto& on) { on.model.show(official_scene(fractal_named(line.words[1]))); }},
+    Command{"scene", 1, 1,
+            [](auto& line, auto& on) { on.model.show(on.model.official(fractal_named(line.words[1]))); }},
     Command{"key", 1, 2, [](auto& line, auto& on) { push_key(line, on.window, true); }, key_released},
     Command{"press", 1, 1, [](auto& line, auto& on) { push_key(line, on.window, true); }},
     Command{"release", 1, 1, [](auto& line, auto& on) { push_key(line, on.window, false); }},
