@@ -76,6 +76,7 @@ public:
                 {"fine", !row.failed()},
                 {"said", remark(row)},
                 {"device", row.device_name},
+                {"is_gpu", row.is_gpu},
                 {"wall_seconds", row.figures ? row.figures->wall.median : 0},
                 {"speed_up", speed_up(row)},
                 {"picture", picture != pictures_.end() ? picture->second : ""},

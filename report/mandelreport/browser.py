@@ -102,11 +102,11 @@ class Browser:
                 return message["result"]
             self.events.append(message)
 
-    def open(self, page: Path) -> None:
-        """Opens a file and waits until it has loaded."""
+    def open(self, page: Path, fragment: str = "") -> None:
+        """Opens a file and waits until it has loaded. `fragment`: the part of the address that begins with #."""
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
-        self.call("Page.navigate", url=page.absolute().as_uri())
+        self.call("Page.navigate", url=page.absolute().as_uri() + fragment)
         self.wait("document.readyState === 'complete'", 120)
 
     def run(self, expression: str) -> Any:

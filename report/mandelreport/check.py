@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import base64
 import json
+import math
 import re
 import subprocess
 import time
@@ -18,15 +19,19 @@ from PIL import Image
 from .browser import Browser
 from .errors import InputError, run_program, write_whole
 from .page import APPENDIX, MAIN
-from .viewer import differing_fields
+from .viewer import VIEWS, differing_fields
 
 DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
 PAPER = 680  # pixels: A4 without its margins
 MOST_PAGES = 12
 SECTIONS = 1 + len(MAIN) + len(APPENDIX)
 VIEWER_SECONDS = 300  # per picture, on a processor
+SAVE_SECONDS = 30
 SIZE = (320, 180)  # pixels of the viewer's picture
+CLOSE = 1e-6  # largest difference of two numbers of the same view; parameter files are rounded
 MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # fraction of pixels that may differ visibly from bin/render's
+# The slider's description of a difference.
+DIFFERENCE = re.compile(r"[\d,]+ of [\d,]+ pixels differ(: the same bytes\.|, [\d,]+ by more than 2/255, at most \d+/255\.)")
 # Unusual scenes to check, by fractal. Each scene sets sliders, by name.
 ODD: dict[str, list[dict[str, float]]] = {
     "mandelbulb": [{"shape.2": 3}, {"shape.2": 2.5}, {"shape.2": 8.5}],
@@ -35,10 +40,21 @@ ODD: dict[str, list[dict[str, float]]] = {
 }
 
 
+def same_view(a: str, b: str) -> bool:
+    """Returns true if two parameter files describe the same view. The sizes of the pictures may differ."""
+
+    def numbers(text: str) -> list[float]:
+        lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+        return [float(word) for line in lines[:4] + lines[5:10] for word in line.split()]
+
+    return all(math.isclose(x, y, abs_tol=CLOSE) for x, y in zip(numbers(a), numbers(b), strict=True))
+
+
 class Checker:
     def __init__(self, browser: Browser, pictures: Path, programs: Path):
         self.browser, self.pictures, self.programs = browser, pictures, programs
         self.wrong: list[str] = []
+        self.address = self.shared = ""  # the part of an address after the page's name; the view that it shows
 
     def expect(self, holds: bool, what: str) -> None:
         print(f"{'ok   ' if holds else 'WRONG'} {what}")
@@ -95,13 +111,15 @@ class Checker:
         )
         self.browser.wait("document.querySelector('.compare .said').textContent !== ''", 30)
         said = run("document.querySelector('.compare .said').textContent")
-        self.expect(" differ" in said or "same bytes" in said, f"the slider's difference: {said}")
+        self.expect(DIFFERENCE.fullmatch(said) is not None, f"the slider's difference: {said}")
+        chosen = run("document.querySelector('.compare [data-side=right]').selectedOptions[0].text")
+        self.expect(chosen.endswith("float, exact"), f"the slider first shows the effect of float: {chosen}")
         run("document.querySelector('.compare').scrollIntoView()")
         self.shot("slider")
         # Selects for the right side the picture that is on the left side.
         run("""(() => { const right = document.querySelector('.compare [data-side=right]');
                         right.selectedIndex = 0; right.dispatchEvent(new Event('change')); })()""")
-        same = self.browser.wait("document.querySelector('.compare .said').textContent === 'The same bytes.'", 30)
+        same = self.browser.wait("/^0 of .*: the same bytes\\.$/.test(document.querySelector('.compare .said').textContent)", 30)
         self.expect(same, "a picture compared with itself has the same bytes")
 
     def viewer(self) -> None:
@@ -129,6 +147,7 @@ class Checker:
                     if whole:
                         self._against_render(fractal, mode, f"viewer-{fractal}-{mode}{f'-{number}' if odd else ''}")
         self._fly()
+        self._views()
 
     def _slide(self, parameter: str, value: float) -> None:
         self.browser.run(f"""(() => {{ const s = document.querySelector('[data-parameter="{parameter}"]');
@@ -173,6 +192,66 @@ class Checker:
                 f"viewer compared with bin/render --precision float --mode {mode}, {fractal}: {found['differing_pixels']} of {pixels} "
                 f"pixels differ, {visible} by more than 2/255, at most {found['largest_difference']}/255",
             )
+
+    def _views(self) -> None:
+        """Checks that the buttons show the views, that the page's address contains the view, and that the picture can
+        be saved."""
+        run = self.browser.run
+        files = {file.name.split(".")[0]: file.read_text(encoding="utf-8") for file in VIEWS.glob("*.*.dat")}
+        names = run("[...document.querySelectorAll('[data-view]')].map((button) => button.textContent.toLowerCase())")
+        self.expect(sorted(names) == sorted(files), f"buttons for the views: {', '.join(names)}")
+        run("document.getElementById('viewer-canvas').scrollIntoView()")
+        for number, name in enumerate(names):
+            self._jump(number)
+            dat = run("Viewer.dat()")
+            self.expect(same_view(dat, files[name]), f"the button {name} shows the view")
+            self.expect(not same_view(dat, files[names[number - 1]]), f"the view {name} is not the view before it")
+        self._choose("viewer-mode", "exact")  # unlike at the start
+        kept = self.browser.wait(
+            "(() => { const at = new URLSearchParams(location.hash.slice(1));"
+            "return at.get('mode') === 'exact' && at.get('dat') === Viewer.dat().replace(/^#.*\\n/gm, ''); })()",
+            VIEWER_SECONDS,
+        )
+        self.expect(kept, "the page's address contains the view")
+        self.address, self.shared = run("location.hash"), run("Viewer.dat()")
+        self._choose("viewer-mode", "fast")
+        self._jump(0)
+        self.browser.wait(f"location.hash !== {json.dumps(self.address)}", VIEWER_SECONDS)
+        run(f"location.hash = {json.dumps(self.address)}")
+        back = self.browser.wait("document.getElementById('viewer-mode').value === 'exact'", 30)
+        self.expect(back and same_view(run("Viewer.dat()"), self.shared), "another address shows another view")
+        self.browser.wait("Viewer.idle() && !document.getElementById('viewer-picture').disabled", VIEWER_SECONDS)
+        saved = self.pictures / "view.png"
+        saved.unlink(missing_ok=True)
+        self.browser.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(self.pictures.absolute()))
+        run("document.getElementById('viewer-picture').click()")
+        end = time.monotonic() + SAVE_SECONDS
+        while not saved.exists() and time.monotonic() < end:
+            time.sleep(0.1)
+        picture = base64.b64decode(run("Viewer.picture()").partition(",")[2])
+        self.expect(saved.exists() and saved.read_bytes() == picture, "the button saves the picture")
+
+    def _jump(self, number: int) -> None:
+        self.browser.run(f"document.querySelectorAll('[data-view]')[{number}].click()")
+
+    def elsewhere(self, page: Path) -> None:
+        """Checks that another browser shows the same view at the same address, and another view without it."""
+        if not self.address:
+            return
+        with Browser() as browser:
+            browser.size(*DESKTOP)
+            browser.open(page, self.address)
+            size = browser.run("[Viewer.fields().width, Viewer.fields().height]")
+            mode = browser.run("document.getElementById('viewer-mode').value")
+            same = same_view(browser.run("Viewer.dat()"), self.shared) and size == list(SIZE) and mode == "exact"
+            self.expect(same, f"the address shows the same view in another browser: {mode}, {size[0]} x {size[1]}")
+            visible = browser.run(
+                "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect();"
+                "return r.bottom > 0 && r.top < innerHeight; })()"
+            )
+            self.expect(visible, "the page of this address opens at the viewer")
+            browser.open(page)
+            self.expect(not same_view(browser.run("Viewer.dat()"), self.shared), "without the address, another view is shown")
 
     def _fly(self) -> None:
         """Checks that keys move the camera, that a drag turns it, and that the page reads an edited parameter file."""
@@ -258,6 +337,7 @@ def main() -> int:
         checker.paper()
         checker.slider()
         checker.viewer()
+        checker.elsewhere(arguments.page)
         problems = browser.problems()
         checker.expect(
             not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"

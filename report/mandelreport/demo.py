@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python3 -m mandelreport.demo: makes one page from bin/demo's results: pictures, differences, times, a film and the
-viewer.
+"""python3 -m mandelreport.demo: makes one page from bin/demo's results: a still, a film, the viewer, pictures,
+differences and times.
 
 Needs no package but Jinja. Exit codes: 0 success, 1 a file cannot be written, 2 wrong arguments or bad input."""
 
@@ -19,6 +19,14 @@ from .blocks import Missing, data_uri
 from .errors import InputError, run_program, write_whole
 
 LARGEST = 20 * 2**20  # bytes of the page
+REFERENCE = "reference"
+# Backends for GPUs, and their substitutes on a machine without a GPU.
+SUBSTITUTES = {
+    "openacc": "1 host thread",
+    "omptarget": "host cores",
+    "opencl": "CPU driver",
+    "vulkan": "CPU driver",
+}
 
 
 @dataclass
@@ -32,6 +40,12 @@ class Picture:
 
 def label(row: dict[str, Any]) -> str:
     return f"{row['backend']}{'-scalar' if row['simd_width'] == 1 else ''}, {row['precision']}, {row['mode']}"
+
+
+def substitute(row: dict[str, Any]) -> str:
+    """Returns a note on a backend for GPUs that ran on the CPU; empty for other backends."""
+    name = SUBSTITUTES.get(row["backend"])
+    return f" ({name}, no GPU)" if name and not row["is_gpu"] else ""
 
 
 def read_table(folder: Path) -> dict[str, Any]:
@@ -59,14 +73,19 @@ def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
 def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Returns the times of each precision and mode as percentages of the longest time of all. Leaves out the reference,
     whose times are too long for bars."""
-    timed = [row for row in rows if row["drawn"] and row["fine"] and row["backend"] != "reference"]
+    timed = [row for row in rows if row["drawn"] and row["fine"] and row["backend"] != REFERENCE]
     longest = max((row["wall_seconds"] for row in timed), default=1.0)
     kinds = dict.fromkeys((row["precision"], row["mode"]) for row in timed)
     return [
         {
             "title": f"{precision}, {mode}",
             "rows": [
-                {"row": row, "name": label(row).split(",")[0], "per_cent": 100 * row["wall_seconds"] / longest}
+                {
+                    "row": row,
+                    "name": label(row).split(",")[0] + substitute(row),
+                    "substitute": bool(substitute(row)),
+                    "per_cent": 100 * row["wall_seconds"] / longest,
+                }
                 for row in timed
                 if (row["precision"], row["mode"]) == (precision, mode)
             ],
@@ -75,22 +94,32 @@ def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     ]
 
 
+def absent_of(rows: list[dict[str, Any]]) -> dict[str, list[str]]:
+    """Returns the backends that rendered nothing, by reason."""
+    absent: dict[str, dict[str, None]] = {}
+    for row in rows:
+        if not row["drawn"] and row["fine"]:
+            absent.setdefault(row["said"], {})[row["backend"]] = None
+    return {reason: list(backends) for reason, backends in absent.items()}
+
+
 def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
     result = []
     for name in dict.fromkeys(row["fractal"] for row in table["rows"]):
         rows = [row for row in table["rows"] if row["fractal"] == name]
         pictures = pictures_of(folder, rows)
         exact = [row for row in rows if row["picture"] and (row["precision"], row["mode"]) == ("double", "exact")]
+        same = [label(row) for row in exact if row["backend"] != REFERENCE]
         result.append(
             {
                 "name": name,
                 "pictures": pictures,
-                "choices": [(picture.name, label(row)) for picture in pictures for row in picture.rows],
+                "choices": [(picture.name, label(row)) for row in rows for picture in pictures if row in picture.rows],
+                "compared": (same[0], same[-1]) if same else ("", ""),
                 "exact": [(row, next(p for p in pictures if row in p.rows)) for row in exact],
-                "expected": [row for row in rows if row["drawn"] and row["backend"] == "reference"],
+                "expected": [row for row in rows if row["drawn"] and row["backend"] == REFERENCE],
                 "bars": bars_of(rows),
                 "failed": [row for row in rows if not row["fine"]],
-                "absent": [row for row in rows if not row["drawn"] and row["fine"]],
             }
         )
     return result
@@ -109,11 +138,16 @@ def live(programs: Path, work: Path) -> dict[str, Any]:
 
 def page(folder: Path, programs: Path) -> str:
     table = read_table(folder)
-    film = folder / "film.mp4"
+
+    def optional(kind: str, name: str) -> str | None:
+        return data_uri(kind, (folder / name).read_bytes()) if (folder / name).exists() else None
+
     return viewer.environment().get_template("demo.html.j2").render(
         table=table,
         fractals=fractals_of(folder, table),
-        film=data_uri("video/mp4", film.read_bytes()) if film.exists() else None,
+        absent=absent_of(table["rows"]),
+        still=optional("image/jpeg", "still.jpg"),
+        film=optional("video/mp4", "film.mp4"),
         s=live(programs, folder / "shaders"),
         style=viewer.raw("templates/style.css"),
         slider=viewer.raw("templates/slider.js"),

@@ -26,6 +26,8 @@ CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
 VIEWERS_OWN = ("hull", "difference_step")
 FLATTEN = FOLDER / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
+VIEWS = FOLDER / "views"  # of files NAME.FRACTAL.dat
+FIRST = "reef"  # the view with which the viewer begins
 # Folders of the fractals' kernel sources. The environment variable adds folders, like the build option of the same
 # name.
 FOLDERS = [KERNEL / "fractals", *(Path(f) for f in os.environ.get("MANDELMARCH_MORE_FRACTALS", "").split(";") if f)]
@@ -108,6 +110,16 @@ def scripts() -> Markup:
     return Markup("\n").join(raw(f"viewer/{name}.js") for name in ("camera", "painter", "viewer"))
 
 
+def views(fractals: list[str]) -> list[dict[str, str]]:
+    """Returns the views of these fractals, FIRST before the others."""
+    found = []
+    for file in VIEWS.glob("*.*.dat"):
+        name, fractal, _ = file.name.split(".")
+        if fractal in fractals:
+            found.append({"name": name, "fractal": fractal, "dat": file.read_text(encoding="utf-8")})
+    return sorted(found, key=lambda view: (view["name"] != FIRST, view["name"]))
+
+
 def _embedded(data: Any) -> Markup:
     """Returns data as JSON that can stand inside a script element of HTML."""
     return Markup(json.dumps(data, separators=(",", ":"), sort_keys=True).replace("<", "\\u003c"))
@@ -118,8 +130,10 @@ def material(table: dict[str, Any], work: Path) -> dict[str, Any]:
     folder for intermediate files."""
     names = [row["name"] for row in table["fractals"] if row["name"] in TEXTS]
     texts = {fractal: shader(fractal, work) for fractal in names}
+    shown = views(names)
     return {
-        "data": _embedded({"shaders": texts}),
+        "data": _embedded({"shaders": texts, "views": shown}),
         "table": Markup(table_script(table, names)),
         "fractals": names,
+        "views": [view["name"] for view in shown],
     }

@@ -35,12 +35,15 @@ for (const box of document.querySelectorAll(".compare")) {
         }
         [canvas.width, canvas.height] = [map.width, map.height];
         canvas.getContext("2d").putImageData(map, 0, 0);
-        said.textContent = differing === 0 ? "The same bytes."
-            : `${differing} of ${map.width * map.height} pixels differ, ${visible} by more than 2/255, at most ${largest}/255.`;
+        const [some, all, seen] = [differing, map.width * map.height, visible].map((count) => count.toLocaleString("en"));
+        said.textContent = `${some} of ${all} pixels differ` +
+            (differing === 0 ? ": the same bytes." : `, ${seen} by more than 2/255, at most ${largest}/255.`);
     };
-    // Initially shows the effect of float; any two can be chosen.
-    const float = [...right.options].findLastIndex((option) => option.text.endsWith("float, exact"));
-    right.selectedIndex = float >= 0 ? float : right.options.length - 1;
+    // If the page chooses no pictures, initially shows the effect of float.
+    if (!right.querySelector("[selected]")) {
+        const float = [...right.options].findLastIndex((option) => option.text.endsWith("float, exact"));
+        right.selectedIndex = float >= 0 ? float : right.options.length - 1;
+    }
     slide.addEventListener("input", move);
     for (const select of [left, right]) select.addEventListener("change", compare);
     move();

@@ -99,8 +99,8 @@ class Painter {
         this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, bytes);
         return bytes;
     }
-    // Returns a target's picture, with its first row at the top, as browsers expect. WebGL's first row is at the
-    // bottom.
+    // Returns a canvas with a target's picture. Its first row is at the top, as browsers expect. WebGL's first row is at
+    // the bottom.
     image(of) {
         const gl = this.gl, bytes = new Uint8Array(4 * of.width * of.height), image = new ImageData(of.width, of.height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, of.buffer);
@@ -108,7 +108,10 @@ class Painter {
         for (let y = 0; y < of.height; ++y) {
             image.data.set(bytes.subarray(4 * of.width * y, 4 * of.width * (y + 1)), 4 * of.width * (of.height - 1 - y));
         }
-        return image;
+        const page = document.createElement("canvas");
+        [page.width, page.height] = [of.width, of.height];
+        page.getContext("2d").putImageData(image, 0, 0);
+        return page;
     }
     // Copies a target, scaled to the canvas's size. to: a target of that size, or null for the canvas itself.
     copy(from, to, smooth) {

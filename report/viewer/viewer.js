@@ -7,15 +7,23 @@ const Viewer = (() => {
     const MOVING_STEPS = 300;                           // per ray
     const MOVING_MS = 40, TILE_MS = 30;                 // time limits of a small picture and of one tile
     const SCALES = [1, 2, 3, 4, 6, 8, 12];              // canvas pixels per pixel of the small picture
+    const REST_MS = 500;                                // time without a change until the page's address is updated
+    const NARROW = 500;                                 // CSS pixels; a narrower canvas begins with a smaller picture
+    // Names of the colouring types, which core/kernel/shade.h and looks.h define.
+    const LOOKS = ["normals, RGB (0)", "normals, BGR (1)", "limestone (2)", "coral (3)", "lagoon (4)"];
     const find = (id) => document.getElementById(id);
 
     let data, canvas, painter, camera, scene, fractal, fast = false;
     let low, full;
     const pressed = new Set();
     let scaleNumber = 3, moving = false, dirty = true, tile = null, speed = 1, last = 0, running = false, tileSide = 32;
+    let shown = "", resting = 0;                        // the address of the view that the page's address has; a timer
 
     function say(text) { find("viewer-says").textContent = text; }
     const view = () => ({ fractal, scene, camera, fast });
+    const idle = () => !dirty && tile === null;
+    const chosenSize = () => find("viewer-size").value.split("x").map(Number);
+    const parameters = () => toParameters(fractal, scene, camera, canvas.width, canvas.height);
 
     function drawMoving() {
         const begin = performance.now();
@@ -89,6 +97,7 @@ const Viewer = (() => {
                     say(drawResting() ? "Complete." : `Rendering: ${Math.round(100 * (tile ? tile.y : 0) / canvas.height)} %`);
                 }
             }
+            find("viewer-picture").disabled = !idle();
             last = now;
             requestAnimationFrame(step);
         } catch (error) {
@@ -100,7 +109,21 @@ const Viewer = (() => {
     function show() {
         say("Moving.");
         const text = find("viewer-dat");
-        if (document.activeElement !== text) text.value = toParameters(fractal, scene, camera, canvas.width, canvas.height);
+        if (document.activeElement !== text) text.value = parameters();
+        clearTimeout(resting);
+        resting = setTimeout(keepAddress, REST_MS);
+    }
+
+    // Returns the text after # of an address that shows this view.
+    function address() {
+        const [mode, size] = [fast ? "fast" : "exact", find("viewer-size").value];
+        return new URLSearchParams({ fractal, mode, size, dat: parameters().replace(/^#.*\n/gm, "") }).toString();
+    }
+    // Writes the view to the page's address, unless it is the view with which the page began.
+    function keepAddress() {
+        if (address() === shown) return;
+        shown = address();
+        history.replaceState(null, "", `#${shown}`);
     }
 
     function resize(width, height) {
@@ -118,7 +141,7 @@ const Viewer = (() => {
         sliders();
         change();
     }
-    // Creates a slider and a display of its value for each parameter.
+    // Creates a slider and a display of its value for each parameter; for the colouring, a list of names.
     function sliders() {
         const place = find("viewer-parameters");
         place.replaceChildren();
@@ -126,24 +149,24 @@ const Viewer = (() => {
         row.shape.forEach(({ name, slider }, i) => { if (slider) own[`shape.${i}`] = [name, ...slider]; });
         if (row.escape.slider) own.escape = [row.escape.name, ...row.escape.slider];
         const all = { ...own, iterations: ["iterations", 1, 200, 1], detail: ["detail level", -6, -1, 0.1],
-            field: ["field of view", 0.2, 2.5, 0.05], colouring: ["colouring type", 0, data.table.rules.colouring_types - 1, 1],
-            brightness: ["brightness", 0.2, 3, 0.1] };
+            field: ["field of view", 0.2, 2.5, 0.05], colouring: ["colouring"], brightness: ["brightness", 0.2, 3, 0.1] };
         for (const [key, [name, low_, high, by]] of Object.entries(all)) {
-            const [field, at] = key.split(".");
-            const read = () => (at === undefined ? (field === "field" ? camera.field : scene[field]) : scene[field][at]);
-            const label = document.createElement("label"), slider = document.createElement("input"), value = document.createElement("output");
-            label.append(name, slider, value);
-            Object.assign(slider, { type: "range", min: low_, max: high, step: by, value: read() });
-            slider.dataset.parameter = key;
-            value.textContent = Number(read().toPrecision(6));  // about as many digits as a float has
-            slider.addEventListener("input", () => {
-                const number = Number(slider.value);
-                if (at !== undefined) scene[field][at] = number;
-                else if (field === "field") camera.field = number;
-                else scene[field] = number;
-                value.textContent = number;
+            const [field, at] = key.split("."), named = low_ === undefined;
+            const [owner, property] = at !== undefined ? [scene[field], at] : [field === "field" ? camera : scene, field];
+            const label = document.createElement("label"), value = document.createElement("output");
+            const input = document.createElement(named ? "select" : "input");
+            const display = (number) => { value.textContent = named ? "" : number; };
+            if (named) LOOKS.forEach((look, type) => input.add(new Option(look, type)));
+            else Object.assign(input, { type: "range", min: low_, max: high, step: by });
+            input.value = owner[property];
+            input.dataset.parameter = key;
+            display(Number(owner[property].toPrecision(6)));  // about as many digits as a float has
+            input.addEventListener("input", () => {
+                owner[property] = Number(input.value);
+                display(owner[property]);
                 change();
             });
+            label.append(name, input, value);
             place.append(label);
         }
     }
@@ -154,18 +177,38 @@ const Viewer = (() => {
         change();
     }
 
-    // Shows the view that the page's address gives as #fractal=NAME&dat=TEXT. A gallery links to such addresses.
-    function ask(wanted) {
-        const name = wanted.get("fractal");
-        if (name in data.table.rows) {
-            find("viewer-fractal").value = name;
-            choose(name);
+    // Shows a view. wanted: a Map or URLSearchParams with the view's fractal, mode, size and parameter file `dat`.
+    // A value that is missing or not among the viewer's choices is ignored.
+    function goToView(wanted) {
+        for (const name of ["fractal", "mode", "size"]) {
+            const select = find(`viewer-${name}`);
+            if (![...select.options].some((option) => option.value === wanted.get(name))) continue;
+            select.value = wanted.get(name);
+            select.dispatchEvent(new Event("change"));
         }
         if (!wanted.has("dat")) return;
         try { goTo(wanted.get("dat")); } catch (error) { say(`The parameter file: ${error.message}`); }
     }
+    // Shows the view that the page's address gives, if it gives one: #fractal=NAME&mode=MODE&size=SIZE&dat=TEXT.
+    function goToAddress() {
+        const wanted = new URLSearchParams(location.hash.slice(1));
+        if (!wanted.has("fractal") && !wanted.has("dat")) return;
+        goToView(wanted);
+        const scroll = () => canvas.scrollIntoView({ block: "center" });
+        scroll();
+        addEventListener("load", scroll);  // pictures above the viewer may get their height only when they are decoded
+    }
 
-    function listen() {
+    // Saves a file on the user's device.
+    function save(name, blob) {
+        const link = document.createElement("a");
+        link.href = URL.createObjectURL(blob);
+        link.download = name;
+        link.click();
+        URL.revokeObjectURL(link.href);
+    }
+
+    function listenToCanvas() {
         canvas.addEventListener("keydown", (event) => {
             const key = event.key.toLowerCase();
             if (event.ctrlKey || event.metaKey || event.altKey || !(KEYS[key] || TURNS[key])) return;
@@ -199,15 +242,31 @@ const Viewer = (() => {
             running = false;
             say("The browser has reset the graphics device; reload the page.");
         });
+    }
+    function listenToStage() {
+        const stage = find("viewer-stage"), fullScreen = find("viewer-full");
         for (const button of document.querySelectorAll("[data-hold]")) {
             button.addEventListener("pointerdown", () => pressed.add(button.dataset.hold));
             for (const end of ["pointerup", "pointerleave", "pointercancel"]) {
                 button.addEventListener(end, () => pressed.delete(button.dataset.hold));
             }
         }
+        fullScreen.hidden = !document.fullscreenEnabled;
+        fullScreen.addEventListener("click", () => {
+            const done = document.fullscreenElement ? document.exitFullscreen() : stage.requestFullscreen();
+            done.then(() => canvas.focus({ preventScroll: true }), (error) => say(error.message));
+        });
+        stage.addEventListener("fullscreenchange", () => {
+            resize(...(document.fullscreenElement ? [screen.width, screen.height] : chosenSize()));
+        });
+    }
+    function listenToControls() {
+        for (const button of document.querySelectorAll("[data-view]")) {
+            button.addEventListener("click", () => goToView(new Map(Object.entries(data.views[button.dataset.view]))));
+        }
         find("viewer-fractal").addEventListener("change", (event) => choose(event.target.value));
         find("viewer-mode").addEventListener("change", (event) => { fast = event.target.value === "fast"; change(); });
-        find("viewer-size").addEventListener("change", (event) => resize(...event.target.value.split("x").map(Number)));
+        find("viewer-size").addEventListener("change", () => resize(...chosenSize()));
         find("viewer-speed").addEventListener("input", (event) => { speed = Math.pow(2, event.target.value); });
         find("viewer-reset").addEventListener("click", () => choose(fractal));
         find("viewer-go").addEventListener("click", () => {
@@ -220,22 +279,14 @@ const Viewer = (() => {
             say("Parameter file copied to the clipboard.");
         });
         find("viewer-save").addEventListener("click", () => {
-            const link = document.createElement("a");
-            link.href = URL.createObjectURL(new Blob([find("viewer-dat").value], { type: "text/plain" }));
-            link.download = "view.dat";
-            link.click();
-            URL.revokeObjectURL(link.href);
+            save("view.dat", new Blob([find("viewer-dat").value], { type: "text/plain" }));
         });
+        find("viewer-picture").addEventListener("click", () => picture().toBlob((blob) => save("view.png", blob)));
+        addEventListener("hashchange", goToAddress);
     }
 
-    // Returns the full picture as a PNG. Reads it from the target, because the canvas loses its content once it is on
-    // the screen.
-    function picture() {
-        const page = document.createElement("canvas");
-        [page.width, page.height] = [full.width, full.height];
-        page.getContext("2d").putImageData(painter.image(full), 0, 0);
-        return page.toDataURL("image/png");
-    }
+    // Returns a canvas with the full picture. The viewer's canvas loses its content once it is on the screen.
+    const picture = () => painter.image(full);
 
     function start() {
         canvas = find("viewer-canvas");
@@ -247,12 +298,16 @@ const Viewer = (() => {
             find("viewer-live").hidden = true;
             return;
         }
-        listen();
-        fractal = find("viewer-fractal").value;
+        listenToCanvas();
+        listenToStage();
+        listenToControls();
+        choose(find("viewer-fractal").value);
         fast = find("viewer-mode").value === "fast";
-        choose(fractal);
-        resize(...find("viewer-size").value.split("x").map(Number));
-        ask(new URLSearchParams(location.hash.slice(1)));
+        if (canvas.clientWidth < NARROW) find("viewer-size").value = "640x360";
+        resize(...chosenSize());
+        if (data.views.length > 0) goToView(new Map(Object.entries(data.views[0])));
+        goToAddress();
+        shown = address();
         // Runs the viewer only while the canvas is visible.
         new IntersectionObserver(([entry]) => {
             const was = running;
@@ -263,6 +318,5 @@ const Viewer = (() => {
     if (document.getElementById("viewer-canvas")) start();
     // Returns the fields of the current scene. The report's check compares them with bin/render --print-scene.
     const fields = () => sceneFields(data.table, fractal, scene, camera, canvas.width, canvas.height, fast, data.table.rules.max_steps);
-    return { idle: () => !dirty && tile === null, picture, fields, camera: () => camera,
-        dat: () => toParameters(fractal, scene, camera, canvas.width, canvas.height) };
+    return { idle, picture: () => picture().toDataURL("image/png"), fields, camera: () => camera, dat: parameters };
 })();

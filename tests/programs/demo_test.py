@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""demo_test.py BIN SOURCE: tools/demo makes one page that needs no network, with the pictures of every backend."""
+"""demo_test.py BIN SOURCE: tools/demo makes one page that needs no network, with a still, a film, the viewer, and the
+pictures of every backend."""
 import base64
 import json
 import os
@@ -50,6 +51,8 @@ class DemoTest(unittest.TestCase):
         cls.page = os.path.join(cls.folder, "new", "index.html")
         cls.done = run("tools/demo", BIN, cls.page, "--side", str(SIDE))
         cls.text = text_of(cls.page)
+        cls.small = os.path.join(cls.folder, "small")  # output of demo, without a still and a film
+        run(os.path.join(BIN, "demo"), "--folder", cls.small, "--side", "16")
         devices = run(os.path.join(BIN, "render"), "--list-devices").stdout
         cls.backends = {line.split()[0] for line in devices.splitlines()}
 
@@ -60,7 +63,7 @@ class DemoTest(unittest.TestCase):
     def page_of(self, change):
         """Returns the page that is made after `change` has changed the content of demo.json."""
         folder = Path(tempfile.mkdtemp(dir=self.folder))
-        run(os.path.join(BIN, "demo"), "--folder", folder, "--side", "16")
+        shutil.copytree(self.small, folder, dirs_exist_ok=True)
         table = json.loads(text_of(folder / "demo.json"))
         change(table)
         (folder / "demo.json").write_text(json.dumps(table), encoding="utf-8")
@@ -89,11 +92,71 @@ class DemoTest(unittest.TestCase):
             self.assertEqual(png_size(base64.b64decode(data)), (SIDE, SIDE))
         self.assertEqual(len(found), len(set(found)), "a picture is stored twice")
 
-    def test_it_has_a_film_and_the_viewer(self):
+    def test_it_has_a_still_a_film_and_the_viewer(self):
+        still = re.search(r"data:image/jpeg;base64,([A-Za-z0-9+/=]+)", self.text)
+        self.assertEqual(base64.b64decode(still[1])[:2], b"\xff\xd8")
         film = re.search(r"data:video/mp4;base64,([A-Za-z0-9+/=]+)", self.text)
         self.assertEqual(base64.b64decode(film[1])[4:8], b"ftyp")
         self.assertIn('id="viewer-canvas"', self.text)
         self.assertIn("#version 300 es", self.text)
+        self.assertNotRegex(self.text, "<strong>No (still|film)")
+
+    def test_its_parts_are_in_order(self):
+        parts = ["data:image/jpeg", 'class="screen compare"', "data:video/mp4", 'id="viewer-canvas"', 'class="strip"',
+                 'class="bars"']
+        places = [self.text.find(part) for part in parts]
+        self.assertNotIn(-1, places)
+        self.assertEqual(places, sorted(places))
+
+    def test_without_a_still_and_a_film_it_says_so(self):
+        done, text = self.page_of(lambda table: None)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for part in ("still", "film"):
+            self.assertIn(f"<strong>No {part}:</strong>", text)
+        self.assertNotRegex(text, "data:(image/jpeg|video)")
+
+    def test_the_slider_begins_with_two_backends_and_the_same_picture(self):
+        chosen = re.findall(r'<option value="([\w-]+)" selected>(.*?)</option>', self.text)
+        self.assertEqual(len(chosen), 4)
+        for (left, one), (right, other) in (chosen[:2], chosen[2:]):
+            self.assertEqual(left, right)
+            self.assertNotEqual(one, other)
+            for name in (one, other):
+                self.assertRegex(name, r"^(?!reference)[\w-]+, double, exact$")
+        self.assertRegex(self.text, r'<option value="[\w-]+">openmp, float, fast</option>')
+
+    def test_there_is_a_button_for_every_view(self):
+        names = [path.name.split(".")[0].capitalize() for path in Path(SOURCE, "report", "views").glob("*.*.dat")]
+        buttons = re.findall(r'data-view="\d+">(\w+)<', self.text)
+        self.assertEqual(sorted(buttons), sorted(names))
+        self.assertEqual(buttons[0], "Reef")
+
+    def test_a_backend_for_gpus_on_the_cpu_has_a_hatched_bar(self):
+        for is_gpu in (False, True):
+            def rename(table):
+                for row in table["rows"]:
+                    hosted = row["backend"] == "openmp" and row["simd_width"] != 1
+                    row.update(backend="openacc" if hosted else "openmp", is_gpu=is_gpu)
+
+            done, text = self.page_of(rename)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            bars = re.findall(r'<span class="name">openacc(.*?)</span><span><span class="bar(.*?)"', text)
+            wanted = ("", "") if is_gpu else (" (1 host thread, no GPU)", " hatched")
+            self.assertEqual(set(bars), {wanted})
+
+    def test_absent_backends_are_in_one_line(self):
+        def remove(table):
+            for row in table["rows"]:
+                if row["backend"] in ("openmp", "reference"):
+                    continue
+                row.update(drawn=False, picture="", said="absent today")
+            for name in ("first", "second"):
+                table["rows"].append(table["rows"][0] | {"backend": name, "drawn": False, "picture": "", "said": "not built"})
+
+        done, text = self.page_of(remove)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(text.count("not built"), 1)
+        self.assertIn("<code>first</code>, <code>second</code> (not built)", text)
 
     def test_it_needs_no_network(self):
         self.assertIn("default-src 'none'", self.text)

@@ -2,12 +2,14 @@
 """viewer_test.py RENDER: the report's viewer computes the same values as the program RENDER, also for odd parameters.
 
 The formulas printed by --list-fractals --json give the values printed by --print-scene. If node is installed, camera.js
-is run, too, and must give the same values. Negative controls: a value that is changed on one side only is detected."""
+is run, too, and must give the same values, also for the views of report/views. Negative controls: a value that is changed
+on one side only is detected. The viewer has a name for each colouring type."""
 
 from __future__ import annotations
 
 import json
 import math
+import re
 import shutil
 import struct
 import subprocess
@@ -21,6 +23,7 @@ sys.path.insert(0, str(ROOT / "report"))
 from mandelreport import viewer  # noqa: E402
 
 CAMERA = ROOT / "report" / "viewer" / "camera.js"
+VIEWER = ROOT / "report" / "viewer" / "viewer.js"
 CLOSE = {"float": viewer.CLOSE, "double": 1e-14}  # allowed relative difference: one or two roundings
 LARGEST = {"float": 1e37, "double": 1e300}
 # Parameters that are tested in addition to the official scene's. Each list has the three numbers of line 7 of a
@@ -80,13 +83,35 @@ def by_camera(table: dict, name: str, text: str, fast: bool) -> dict:
     return json.loads(subprocess.run(["node", "-e", script], check=True, capture_output=True, text=True).stdout)
 
 
+def wrong_views(program: str, table: dict, file: Path) -> list[str]:
+    """Returns the fields of the viewer's views that camera.js computes otherwise than the program. Writes to `file`."""
+    wrong: list[str] = []
+    views = viewer.views([row["name"] for row in table["fractals"]])
+    for view in views:
+        file.write_text(view["dat"], encoding="utf-8")
+        printed = json.loads(
+            render(program, "--fractal", view["fractal"], file, "--precision", "float", "--mode", "fast", "--print-scene")
+        )
+        ours = by_camera(table, view["fractal"], view["dat"], True)
+        wrong += [f"view {view['name']}: {name}" for name in viewer.differing_fields(ours, printed)]
+        twin = ours | {"eye": [1.01 * x for x in ours["eye"]]}
+        if "eye" not in viewer.differing_fields(twin, printed):
+            wrong.append(f"view {view['name']}: another eye is not seen")
+    return wrong if views else ["no views"]
+
+
 def main() -> int:
     program = sys.argv[1]
     table = json.loads(render(program, "--list-fractals", "--json"))
     node = shutil.which("node") is not None
+    names = re.search(r"const LOOKS = (\[.*?\]);", VIEWER.read_text(encoding="utf-8"))
     wrong: list[str] = []
+    if names is None or len(json.loads(names[1])) != table["scene"]["colouring_types"]:
+        wrong.append(f"viewer.js does not name {table['scene']['colouring_types']} colouring types")
     compared = 0
     with tempfile.TemporaryDirectory() as folder:
+        if node:
+            wrong += wrong_views(program, table, Path(folder) / "view.dat")
         for row in table["fractals"]:
             official = row["official"]
             odd = [[*official["shape"], official["escape"]], *ODD.get(row["name"], [])]
