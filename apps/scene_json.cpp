@@ -128,7 +128,7 @@ std::string fractals_json()
                       {"largest", float_range},
                       {"plain_step_factor", plain_step_factor},
                       {"longest_relaxed", longest_relaxed},
-                      {"colouring_types", colouring_types},
+                      {"colouring_types", colouring_names},
                       {"max_iterations", max_iterations},
                       {"max_field", max_field_of_view},
                       {"sun", of(Scene{}.sun)}}},

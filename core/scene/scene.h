@@ -19,8 +19,8 @@ inline constexpr double max_field_of_view = 180 / degrees_per_field;
 
 // Names of the colouring types. 0 and 1 are those of the original program, which makes colours from the components of
 // the normal, x as red or x as blue. 2 and above are looks (core/kernel/looks.h).
-inline constexpr std::array<std::string_view, 5> colouring_names{"original RGB", "original BGR", "limestone", "coral",
-                                                                 "lagoon"};
+inline constexpr std::array<std::string_view, 5> colouring_names{"normals as RGB", "normals as BGR", "limestone",
+                                                                 "coral", "lagoon"};
 inline constexpr int colouring_types = static_cast<int>(colouring_names.size());
 inline constexpr int default_look = 3;  // the colouring type of films, and of explore at its first start
 

@@ -9,8 +9,6 @@ const Viewer = (() => {
     const SCALES = [1, 2, 3, 4, 6, 8, 12];              // canvas pixels per pixel of the small picture
     const REST_MS = 500;                                // time without a change until the page's address is updated
     const NARROW = 500;                                 // CSS pixels; a narrower canvas begins with a smaller picture
-    // Names of the colouring types, which core/kernel/shade.h and looks.h define.
-    const LOOKS = ["normals, RGB (0)", "normals, BGR (1)", "limestone (2)", "coral (3)", "lagoon (4)"];
     const find = (id) => document.getElementById(id);
 
     let data, canvas, painter, camera, scene, fractal, fast = false;
@@ -156,7 +154,7 @@ const Viewer = (() => {
             const label = document.createElement("label"), value = document.createElement("output");
             const input = document.createElement(named ? "select" : "input");
             const display = (number) => { value.textContent = named ? "" : number; };
-            if (named) LOOKS.forEach((look, type) => input.add(new Option(look, type)));
+            if (named) data.table.rules.colouring_types.forEach((look, type) => input.add(new Option(look, type)));
             else Object.assign(input, { type: "range", min: low_, max: high, step: by });
             input.value = owner[property];
             input.dataset.parameter = key;
