@@ -3,7 +3,7 @@
 
 The formulas printed by --list-fractals --json give the values printed by --print-scene. If node is installed, camera.js
 is run, too, and must give the same values, also for the views of report/views. Negative controls: a value that is changed
-on one side only is detected. The viewer has a name for each colouring type."""
+on one side only is detected."""
 
 from __future__ import annotations
 
