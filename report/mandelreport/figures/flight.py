@@ -127,18 +127,10 @@ def over_time(flight: FlightMap) -> Figure:
         axis.set_ylabel(title)
         if logarithmic:
             axis.set_yscale("log")
-        for k, passage in enumerate(flight.data["passages"]):
-            axis.axvline(
-                seconds[passage],
-                color=style.RED,
-                linewidth=0.7,
-                linestyle=":",
-                label="passage" if k == 0 and number == 0 else None,
-            )
+        for passage in flight.data["passages"]:
+            axis.axvline(seconds[passage], color=style.RED, linewidth=0.7, linestyle=":")
     axes[3][0].set_xlabel("time [s]")
     axes[3][0].set_xlim(0, seconds[-1])
-    if flight.data["passages"]:
-        axes[0][0].legend(loc="upper right", fontsize=8)
     return style.block(
         figure,
         f"Four curves over {digits(seconds[-1])} seconds of the {flight.fractal}'s flight: clearance from "
