@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python -m mandelreport: makes report.html from result files, and report.pdf if a browser exists.
+"""python -m mandelreport: makes report.html and timings.csv from result files, and report.pdf if a browser exists.
 
 Exit codes: 0 success, 1 a failure (the page is written and names failed devices), 2 wrong arguments or bad input,
 77 the page is written, but there is no browser for its PDF."""
@@ -29,11 +29,14 @@ def main() -> int:
     arguments = parser.parse_args()
     results = read_results(arguments.results)
     studio = Studio(arguments.programs.absolute(), Cache((arguments.work / "pictures").absolute()))
-    html = page.render(Material(results, studio, arguments.work.absolute())).encode()
+    material = Material(results, studio, arguments.work.absolute())
+    html = page.render(material).encode()
     if len(html) > LARGEST:
         raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}; use smaller contact sheets or fewer files")
     target = arguments.output / "report.html"
     write_whole(target, html)
+    if material.timings:
+        write_whole(arguments.output / "timings.csv", material.timings.encode())
     print(f"report: {target}, {len(html) / 2**20:.1f} MiB", file=sys.stderr)
     if not arguments.no_pdf:
         from .browser import print_page  # pylint: disable=import-outside-toplevel

@@ -186,7 +186,6 @@ class Answers:
         box, bulb = (self.primary.named(f"{fractal}/double/exact/{self.backends.host}/0") for fractal in FRACTALS[::-1])
         return {
             "size": self.primary.size,
-            "sample": counted(self.primary, "mandelbox", "double", "pixels").html("whole"),
             "ratios": [
                 (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, verdict(r)) for r, (p, m) in zip(ratios, kinds)
             ],

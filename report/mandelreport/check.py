@@ -24,6 +24,7 @@ from .viewer import VIEWS, differing_fields
 DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
 PAPER = 680  # pixels: A4 without its margins
 MOST_PAGES = 12
+FRONT_ONLY = "main > :not(#front), footer.page { display: none }"
 SECTIONS = 1 + len(MAIN) + len(APPENDIX)
 VIEWER_SECONDS = 300  # per picture, on a processor
 SAVE_SECONDS = 30
@@ -82,20 +83,29 @@ class Checker:
             self.shot(name)
         self.browser.size(*DESKTOP)
 
+    def pages(self, style: str) -> int:
+        """Returns the number of pages that the browser prints with an additional style sheet."""
+        self.browser.run(f"document.head.append(Object.assign(document.createElement('style'), {{ id: 'part', textContent: {json.dumps(style)} }}))")
+        pages = len(re.findall(rb"/Type\s*/Page\b", self.browser.pdf()))
+        self.browser.run("document.getElementById('part').remove()")
+        return pages
+
     def paper(self) -> None:
-        """Checks that nothing overflows on paper, and that the main part is short. If anything overflows, the browser
-        shrinks all pages."""
+        """Checks that nothing overflows on paper, that page 2 begins with section 1, and that the main part is short.
+        If anything overflows, the browser shrinks all pages."""
         run, call = self.browser.run, self.browser.call
         call("Emulation.setEmulatedMedia", media="print")
         self.browser.size(PAPER, 1000)
         wide = run("document.documentElement.scrollWidth")
         self.expect(wide <= PAPER, f"paper: nothing overflows ({wide} of {PAPER} pixels)")
+        breaks = run(f"getComputedStyle(document.querySelector('#{MAIN[0][0]} h2')).breakBefore")
         call("Emulation.setEmulatedMedia", media="")
         self.browser.size(*DESKTOP)
-        run("document.head.append(Object.assign(document.createElement('style'), "
-            "{ id: 'main-only', textContent: '.appendix, footer.page { display: none }' }))")
-        pages = len(re.findall(rb"/Type\s*/Page\b", self.browser.pdf()))
-        run("document.getElementById('main-only').remove()")
+        self.expect(breaks == "page", "paper: section 1 begins on a new page")
+        front = self.pages(FRONT_ONLY)
+        self.expect(front == 1, f"paper: the front page has {front} pages, expected 1")
+        self.expect(self.pages(f"{FRONT_ONLY} #front p {{ font-size: 16pt }}") > 1, "paper: a front page that is too long is detected")
+        pages = self.pages(".appendix, footer.page { display: none }")
         self.expect(0 < pages <= MOST_PAGES, f"paper: the main part has {pages} pages, at most {MOST_PAGES}")
 
     def slider(self) -> None:

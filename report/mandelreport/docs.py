@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Passages of the project's documentation that the report quotes."""
+"""Passages of the project's documentation and sources that the report quotes."""
 
 from __future__ import annotations
 
@@ -32,3 +32,12 @@ def chapter(file: str, title: str) -> Markup:
         raise InputError(f"{file}: the heading '{title}', which the report quotes, is missing")
     # Removes lines that have only capitals: placeholders for later changes.
     return _html(re.sub(r"^[A-Z_]+$", "", found[2], flags=re.M))
+
+
+def code(file: str, begin: str) -> str:
+    """Returns the lines of a source file from the one that contains `begin` to the next line that is only a closing
+    brace, without that line's indentation."""
+    found = re.search(rf"^[^\n]*{re.escape(begin)}.*?^([ \t]*)\}}$", _read(file), re.M | re.S)
+    if not found:
+        raise InputError(f"{file}: the line '{begin}', which the report quotes, is missing")
+    return re.sub(rf"^{found[1]}", "", found[0], flags=re.M)

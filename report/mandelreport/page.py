@@ -7,6 +7,7 @@ import importlib
 from typing import Any
 
 from . import sections, viewer
+from .blocks import Numbers, ref
 from .sections import Material, front
 
 # Sections of the main part. A section has a name, which is that of its module, template and anchor, and a title. The
@@ -43,20 +44,30 @@ def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[st
     return contents
 
 
+def _filled(template: str, numbers: Numbers, **values: Any) -> str:
+    environment = viewer.environment()
+    environment.globals.update(number=numbers.next, ref=ref)
+    return environment.get_template(template).render(**values)
+
+
 def front_page(material: Material) -> str:
     """Returns only the front page."""
-    return viewer.environment().get_template("front.html.j2").render(s=front.section(material))
+    return _filled("front.html.j2", Numbers(), s=front.section(material))
 
 
 def sections_of(material: Material, names: list[str]) -> str:
     """Returns only the sections `names` of the main part."""
     contents = _contents(material, [entry for entry in MAIN if entry[0] in names])
-    return "".join(viewer.environment().get_template(f"{name}.html.j2").render(s=of) for name, _, of in contents)
+    numbers = Numbers()
+    return numbers.resolved("".join(_filled(f"{name}.html.j2", numbers, s=of) for name, _, of in contents))
 
 
 def render(material: Material) -> str:
     """Returns the whole page. The same results and programs give the same page."""
-    return viewer.environment().get_template("page.html.j2").render(
+    numbers = Numbers()
+    page = _filled(
+        "page.html.j2",
+        numbers,
         front=front.section(material),
         main=_contents(material, MAIN),
         appendix=_contents(material, APPENDIX),
@@ -67,3 +78,4 @@ def render(material: Material) -> str:
         slider=viewer.raw("templates/slider.js"),
         viewer=viewer.scripts(),
     )
+    return numbers.resolved(page)

@@ -174,7 +174,6 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
     box, bulb = (name_of(f, "double", "exact") for f in FRACTALS[::-1])
     pairs = [[name_of(f, p, m) for f in FRACTALS[::-1]] for p, m in (("double", "exact"), ("float", "fast"))]
     factors = [main.work(box, bulb, *keys) for keys in (("de_calls",), ("iterations", "de_calls"), ("operations", "iterations"), ("operations",))]
-    factors.insert(3, next(c["pixels"] for c in main.data["counts"] if (c["fractal"], c["precision"], c["mode"]) == tuple(box.split("/")[:3])))
     digits = [[main.ratio(name_of(f, "double", m), name_of(f, "float", m)) for f in FRACTALS] for m in ("exact", "fast")]
     return [
         ("it: # of # exact pictures have the same bits.", same),
@@ -191,32 +190,34 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
         (f"The next best backend takes from {nearest[0]}, to {farthest[0]}.", nearest[1] + farthest[1]),
         *(box_or_bulb(*pair[0].split("/")[1:3], main.ratio(*pair)) for pair in pairs),
         ("All these pictures have # x # pixels", side),
-        ("a pixel of the Mandelbox takes # times as many evaluations of the distance estimator (DE), and a DE evaluation # times as many "
-         "iterations, both counted over all pixels. An iteration takes # times as many operations, counted in a sample of # pixels. The "
-         "product is # times as many operations.", factors),
+        ("In double and exact mode, a pixel of the Mandelbox takes # times as many evaluations of the distance estimator (DE), an evaluation # "
+         "times as many iterations, and an iteration # times as many operations: together # times as many operations.", factors),
         ("double takes ~ and ~ times as long in exact mode, and ~ and ~ times in fast mode", [n for two in digits for one in two for n in one.numbers()]),
-        *(ladder(File(json.loads(path.read_text())), fractal) for path in folder.glob("ladder.json") for fractal in FRACTALS),
+        *(ladder(File(json.loads(path.read_text()))) for path in folder.glob("ladder.json")),
         *other_files(folder),
         ("In brackets: individual # % intervals of # runs", [95, main.data["runs"]]),
     ]
 
 
-def ladder(file: File, fractal: str) -> tuple[str, list[float]]:
-    """Returns the table of the ladder, as a sentence with its numbers: for each rung the time and the gain over the
-    rung before, and the gain of all rungs together."""
-    rungs = [name for name, row in file.rows.items() if row["fractal"] == fractal]
+def ladder(file: File) -> tuple[str, list[float]]:
+    """Returns the first table, the ladder, as a sentence with its numbers: for each rung and fractal the time and the
+    gain over the rung before, and the gain of all rungs together. faults() has replaced names by asterisks."""
+    rungs = [[name for name, row in file.rows.items() if row["fractal"] == fractal] for fractal in FRACTALS]
 
     def gain(name: str, before: str) -> list[float]:
         ratio = file.ratio(name, before)
         return [1 / value for value in (ratio.value, *ratio.ends[::-1])]
 
-    values = [1e3 * file.kernel(rungs[0]).value]
-    for before, name in zip(rungs, rungs[1:]):
-        values += [1e3 * file.kernel(name).value, *gain(name, before)]
+    setting = file.rows[rungs[0][0]]["setting"]
+    values = [1.0, setting["width"], setting["height"], *(1e3 * file.kernel(names[0]).value for names in rungs)]
+    for at in range(1, len(rungs[0])):
+        for names in rungs:
+            values += [1e3 * file.kernel(names[at]).value, *gain(names[at], names[at - 1])]
     return (
-        f"{fractal}: kernel time, and gain over the rung before. rung ms gain interval serial reference # kernel as scalar C++ # ~ float for "
-        "double # ~ explicit SIMD # ~ cheaper operations # ~ fewer DE evaluations # ~ all threads # ~ all together ~",
-        [*values, *gain(rungs[-1], rungs[0])],
+        f"Table #. Kernel time of # x # pixels, and gain over the rung before ({'*' * len(machine(file.data))}, ladder.json). "
+        f"rung {FRACTALS[0]}, ms gain interval {FRACTALS[1]}, ms gain interval serial reference # # kernel as scalar C++ # ~ # ~ float for "
+        "double # ~ # ~ explicit SIMD # ~ # ~ cheaper operations # ~ # ~ fewer DE evaluations # ~ # ~ all threads # ~ # ~ all together ~ ~",
+        [*values, *(value for names in rungs for value in gain(names[-1], names[0]))],
     )
 
 
@@ -291,10 +292,15 @@ def faults(page: str, folder: Path) -> list[str]:
     return found + [f"no sentence covers {m[0]}: ...{text[max(0, m.start() - 40) : m.end() + 20]}..." for m in re.finditer(NUMBER, rest)]
 
 
+def machine(data: dict[str, Any]) -> str:
+    cpu = data["environment"]["cpu"]
+    return f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads"
+
+
 def names(folder: Path) -> list[str]:
     """Returns the names on the page that contain digits: names of machines, files and devices."""
-    cpus = [json.loads(p.read_text())["environment"]["cpu"] for p in (folder / "bench.json", folder / "xeon" / "targets.json")]
-    machines = [f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads" for cpu in cpus]
+    files = (folder / "bench.json", folder / "xeon" / "targets.json", folder / "ladder.json")
+    machines = [machine(json.loads(path.read_text(encoding="utf-8"))) for path in files]
     gpus = {row["device_name"] for row in standard_rows(folder) if row.get("is_gpu")}
     return [*machines, *gpus, "bench.json", "Tesla K40"]
 

@@ -111,7 +111,7 @@ def material_of(results: Results) -> Material:
 def page_of(results: Results) -> str:
     """Returns the front page, followed by those sections of the main part that have sentences about results."""
     material = material_of(results)
-    return front_page(material) + sections_of(material, ["method", "speed", "why", "parallel"])
+    return front_page(material) + sections_of(material, ["method", "speed", "why", "parallel", "film"])
 
 
 class FrontTest(unittest.TestCase):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fake programs that replace bin/render and bin/imgdiff."""
+"""Fake programs that replace bin/render, bin/imgdiff and bin/bench."""
 
 from __future__ import annotations
 
@@ -44,11 +44,15 @@ printf '{"width": 540, "height": 540, "same": %s, "differing_pixels": %s, "visib
 printf '"largest_difference": %s, "psnr_db": %s}' $largest $psnr
 $same
 """
+# A fake bench csv FILE.
+BENCH = """#!/bin/sh
+[ "$1" = csv ] && printf 'backend,kernel_s\\nopenmp,0.1\\n'
+"""
 
 
 def programs(folder: Path) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
-    for name, text in (("render", RENDER), ("imgdiff", IMGDIFF)):
+    for name, text in (("render", RENDER), ("imgdiff", IMGDIFF), ("bench", BENCH)):
         (folder / name).write_text(text, encoding="utf-8")
         (folder / name).chmod(0o755)
     return folder

@@ -4,6 +4,7 @@ fail."""
 
 from __future__ import annotations
 
+import base64
 import html.parser
 import os
 import re
@@ -25,9 +26,11 @@ from mandelreport import flight  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
 from mandelreport.bench import SAME_PEAK, Bench  # noqa: E402
+from mandelreport.blocks import Numbers, ref  # noqa: E402
 from mandelreport.page import APPENDIX, MAIN  # noqa: E402
+from mandelreport.pictures import Cache, Studio  # noqa: E402
 from mandelreport.results import read_results  # noqa: E402
-from mandelreport.sections import gpu  # noqa: E402
+from mandelreport.sections import Material, gpu, parallel  # noqa: E402
 
 
 class Faults(html.parser.HTMLParser):
@@ -105,6 +108,14 @@ class ReportTest(unittest.TestCase):
         # The page has a sentence on a duel with a build for the processor.
         times = "take 0.9 to 1.25 times as long in exact mode and 0.8 to 0.8 times in fast mode"
         self.assertIn(f"Compiled by GNU 99 with -march=native, the models {times}", re.sub("<.*?>", "", page))
+        # The page quotes the directives of OpenACC and OpenMP.
+        self.assertRegex(page, r"#pragma acc parallel loop gang vector .*\n    for \(int thread = 0; .*kernel::march_pixel\(job, thread\);\n}</pre>")
+        self.assertRegex(page, r"<pre>#pragma omp parallel num_threads\(.*\n{\n")
+        # A CSV file of all results is beside the page and inside it.
+        table = "file,backend,kernel_s\nbench.json,openmp,0.1\n"
+        self.assertEqual((self.folder / "out" / "timings.csv").read_text(encoding="utf-8"), table)
+        self.assertIn(f'download="timings.csv" href="data:text/csv;base64,{base64.b64encode(table.encode()).decode()}"', page)
+        self.numbered(page)
         # The page has the table of the ladder.
         self.assertRegex(page, r"float for double</td><td.*?>33.3</td><td.*?>3.00</td><td.*?>\[2.86, 3.16\]</td>")
         self.assertRegex(page, r"all together</td><td.*?></td><td.*?>3.00</td>")
@@ -123,6 +134,54 @@ class ReportTest(unittest.TestCase):
         self.make(changed, "bin", output="changed", results="changed")
         self.assertNotEqual(page, self.page("changed"))
         self.assertIn(">765 [", self.page("changed"))
+
+    def numbered(self, page: str) -> None:
+        """Checks that figures and tables have consecutive numbers, each with its caption, and that references lead to
+        them."""
+        for kind in ("figure", "table"):
+            numbers = [int(number) for number in re.findall(rf'id="{kind}-(\d+)"', page)]
+            self.assertEqual(numbers, list(range(1, len(numbers) + 1)))
+            self.assertGreater(len(numbers), 10)
+            self.assertEqual(re.findall(rf"<b>{kind.capitalize()} (\d+)\.</b>", page), list(map(str, numbers)))
+        references = re.findall(r'<a class="name" href="#([a-z]+-\d+)">', page)
+        self.assertGreaterEqual(len(references), 3)
+        for reference in references:
+            self.assertIn(f'id="{reference}"', page)
+        self.assertNotIn("data-to", page)
+
+    def test_references_name_kind_and_number(self) -> None:
+        numbers = Numbers()
+        self.assertEqual([numbers.next("figure"), numbers.next("table", "times"), numbers.next("figure", "map-1")], [1, 1, 2])
+        self.assertEqual(
+            numbers.resolved(f"{ref('map-1')}, {ref('times')}"),
+            '<a class="name" href="#figure-2">Figure 2</a>, <a class="name" href="#table-1">Table 1</a>',
+        )
+        self.assertEqual(numbers.resolved(ref("other")), "a figure or table without data")
+
+    def test_threads_of_two_cores_are_a_sentence(self) -> None:
+        def of(cores: int) -> dict[str, object]:
+            data = made.sweep("threads", "threads", ["1", "2", "4", "8"])
+            data["environment"]["cpu"]["cores_usable"] = cores
+            results = read_results(made.write(self.folder / f"results{cores}", {"threads.json": data}))
+            return parallel.section(Material(results, Studio(self.folder, Cache(self.folder)), self.folder))
+
+        self.assertEqual(of(2)["threads"], [])
+        self.assertEqual([block.kind for block in of(4)["threads"]], ["figure"])
+        plain = re.sub("<.*?>", "", of(2)["scaling"])
+        self.assertTrue(plain.startswith("On as many threads as cores, a picture takes 0.5 [0.475, 0.525] to 0.5"), plain)
+        self.assertIn("on twice as many, 0.333 [", plain)
+
+    def test_double_over_float_has_every_ratio(self) -> None:
+        data = made.bench()
+        pairs = [(f"mandelbulb/double/{mode}/{backend}/0", mode, backend) for mode in ("exact", "fast") for backend in ("openmp", "vulkan")]
+        data["questions"]["double_to_float"] = [
+            {"numerator": name, "denominator": name.replace("double", "float"), "ratio": made.summary(1.25 + k)} for k, (name, *_) in enumerate(pairs)
+        ]
+        bench = Bench("made", Path("made"), data)
+        figure = timings.double_to_float(bench, Backends.of(bench.environment["backends"], ["vulkan"]))
+        for k, (_, mode, backend) in enumerate(pairs):
+            self.assertIn(f"mandelbulb, {mode}, {backend}: {1.25 + k:.2f}", figure.alt)
+        self.assertIsNone(timings.double_to_float(Bench("made", Path("made"), made.bench()), Backends()))
 
     def test_a_device_that_fails_is_named_and_all_others_are_there(self) -> None:
         made_programs.programs(self.folder / "bin")

@@ -20,11 +20,11 @@ KINDS = {
 
 
 def times(bench: Bench, backends: Backends) -> Figure:
-    """Shows the times, with the reference last, in a figure that is narrow enough for a phone."""
+    """Shows the times, with the reference last, in a figure that is narrow enough for a phone or beside text."""
     rows = [row for row in bench.all_rows if row.timed]
     fractals = list(dict.fromkeys(row.fractal for row in rows))
     names = backends.order(label(row) for row in rows)
-    figure, axes = style.panels(len(fractals), 1, 4, 1.0 + 0.26 * len(names) * len(fractals), sharex=True)
+    figure, axes = style.panels(len(fractals), 1, 4, 1.0 + 0.2 * len(names) * len(fractals), sharex=True)
     said = []
     for (axis,), fractal in zip(axes, fractals):
         for row in (row for row in rows if row.fractal == fractal):
@@ -40,10 +40,10 @@ def times(bench: Bench, backends: Backends) -> Figure:
                 fillstyle=fill,
                 color=style.COLOURS[backends.number_of(row.backend) % 8],
                 linestyle="",
-                markersize=4.5,
+                markersize=4,
             )
             said.append(f"{fractal}, {name}, {row.precision}, {row.mode}: {ms(row.kernel.median)} ms")
-        axis.set_yticks(range(len(names)), names)
+        axis.set_yticks(range(len(names)), names, fontsize=8)
         axis.invert_yaxis()
         axis.set_xscale("log")
         axis.xaxis.set_major_formatter(lambda x, _: plain(x))

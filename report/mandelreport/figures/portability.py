@@ -62,8 +62,7 @@ def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backen
             best.setdefault(entry["application"], []).append(entry["by_application_efficiency"])
     if not best:
         return None
-    figure, axes = style.panels(1, 1, 8, 4)
-    axis = axes[0][0]
+    figure, [[axis]] = style.panels(1, 1, 8, 3)
     said = []
     for name, values in best.items():
         mean = sum(values) / len(values)
@@ -74,7 +73,7 @@ def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backen
     axis.plot([apart], [1], "kx", markersize=10, label=f"all {len(names)}, one source each")
     axis.annotate("", (together, 0.985), (apart, 0.985), arrowprops={"arrowstyle": "->", "color": "0.5"})
     axis.set(xlim=(0, 1.05), ylim=(0, 1.08), xlabel="code convergence", ylabel="performance portability")
-    axis.legend(loc="center left", fontsize=8)
+    figure.legend(loc="outside right center", fontsize=8)
     return style.block(
         figure,
         f"Navigation chart. Convergence of all backends {digits(together)}, with one source each {digits(apart)}. Portability: "

@@ -81,4 +81,5 @@ def profile(bench: Bench) -> Figure | None:
         "Stacked bars of the stages' fractions. " + "; ".join(said) + ".",
         "Time of a picture by stage, on one core (openmp), and its counted operations by stage. In fast mode, begin includes "
         "the cones.",
+        name="profile",
     )

@@ -87,7 +87,7 @@ def _rounded(number: re.Match[str]) -> str:
     return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")
 
 
-def block(figure: Plot, alt: str, caption: str, wide: bool = True) -> Figure:
+def block(figure: Plot, alt: str, caption: str, wide: bool = True, name: str = "") -> Figure:
     """Returns the figure as SVG. The same data gives the same bytes."""
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", dpi=150, metadata={"Date": None, "Creator": None})
@@ -95,4 +95,4 @@ def block(figure: Plot, alt: str, caption: str, wide: bool = True) -> Figure:
     # Rounds path coordinates to hundredths of a point, which is finer than a printer's resolution. Hatches have
     # thousands of coordinates.
     short = re.sub(r'(?<= d=")[^"]*', lambda path: re.sub(r"-?\d+\.\d{3,}", _rounded, path[0]), buffer.getvalue())
-    return Figure(data_uri("image/svg+xml", short.encode()), alt, caption, wide)
+    return Figure(data_uri("image/svg+xml", short.encode()), alt, caption, wide, name=name)

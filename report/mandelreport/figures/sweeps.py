@@ -112,7 +112,8 @@ def ablation(bench: Bench) -> Figure | None:
         axis.set(xlabel="disabled technique", title=fractal)
         if j == 0:
             axis.set_ylabel("time / time with all")
-        axis.legend(fontsize=8)
+    handles, names = axes[0][0].get_legend_handles_labels()
+    figure.legend(handles, names, fontsize=8, loc="outside lower center", ncols=4)
     return style.block(
         figure,
         "Bar charts: time without a technique over the time with all techniques. " + "; ".join(said) + ".",

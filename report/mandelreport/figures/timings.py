@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the standard study: times relative to the scalar kernel, ratios, shares of the peak."""
+"""Figures of the standard study: times relative to the scalar kernel, double over float, shares of the peak."""
 
 from __future__ import annotations
 
@@ -50,35 +50,34 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
     )
 
 
-def ratios(bench: Bench, backends: Backends, question: str, title: str, caption: str) -> Figure | None:
-    """Shows the ratios of kernel times that answer a question of bench, as points with intervals."""
-    found = bench.data["questions"][question]
+def double_to_float(bench: Bench, backends: Backends) -> Figure | None:
+    """Shows the kernel time in double divided by that in float, with a line for each backend and a panel for each
+    fractal."""
+    found = [(bench.named(ratio["numerator"]), Times.of(ratio["ratio"])) for ratio in bench.ratios("double_to_float")]
     if not found:
         return None
-    # Numerator and denominator name rows, such as mandelbox/double/exact/openmp/0. They differ in the part that the
-    # question compares, for example in the precision.
-    entries = []
-    for ratio in found:
-        fractal, precision, mode, backend, device, *scalar = ratio["denominator"].split("/")
-        kind = f"{precision}, {mode}" if question == "mandelbox_to_mandelbulb" else f"{fractal}, {mode}"
-        name = backend if device == "0" else f"{backend} {device}"
-        entries.append((kind, f"{name}-scalar" if scalar else name, backend, Times.of(ratio["ratio"])))
-    kinds = list(dict.fromkeys(kind for kind, *_ in entries))
-    names = backends.order(name for _, name, _, _ in entries)
-    figure, [[axis]] = style.panels(1, 1, 8, 0.9 + 0.21 * len(kinds) * len(names))
+    fractals = list(dict.fromkeys(row.fractal for row, _ in found))
+    names = backends.order(label(row) for row, _ in found)
+    figure, axes = style.panels(1, len(fractals), 8, 1.0 + 0.2 * len(names), sharex=True, sharey=True)
     said = []
-    for kind, name, backend, times in entries:
-        at = kinds.index(kind) * (len(names) + 1) + names.index(name)
-        style.point(axis, times, at, **style.line(backends.number_of(backend)) | {"linestyle": ""})
-        axis.text(1.01, at, digits(times.median), transform=axis.get_yaxis_transform(), va="center", fontsize=7)
-        said.append(f"{kind}, {name}: {digits(times.median)}")
-    ticks = [(kinds.index(kind) * (len(names) + 1) + names.index(name), f"{kind}: {name}") for kind, name, _, _ in entries]
-    axis.set_yticks([at for at, _ in ticks], [text for _, text in ticks], fontsize=8)
-    axis.invert_yaxis()
-    axis.axvline(1, color="black", linewidth=0.8)
-    axis.set_xlim(left=0)
-    axis.set_xlabel(title)
-    return style.block(figure, f"Points with intervals: {title}. " + "; ".join(said) + ".", caption)
+    for row, times in found:
+        exact = row.mode == "exact"
+        look = style.line(backends.number_of(row.backend)) | {"linestyle": "", "fillstyle": "full" if exact else "none"}
+        style.point(axes[0][fractals.index(row.fractal)], times, names.index(label(row)) + (-0.15 if exact else 0.15), **look)
+        said.append(f"{row.fractal}, {row.mode}, {label(row)}: {digits(times.median)}")
+    for axis, fractal in zip(axes[0], fractals):
+        axis.axvline(1, color="black", linewidth=0.8)
+        axis.set(title=fractal, xlim=(0, None))
+        axis.set_yticks(range(len(names)), names, fontsize=8)
+        axis.grid(axis="y", visible=False)
+    axes[0][0].invert_yaxis()
+    figure.supxlabel("time in double / time in float", fontsize=9)
+    return style.block(
+        figure,
+        "Points with intervals: time in double over that in float. " + "; ".join(said) + ".",
+        f"Kernel time in double over that in float, round by round, with 95 % intervals ({bench.name}). Filled marks: exact mode; open marks: "
+        "fast mode.",
+    )
 
 
 def share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
@@ -123,33 +122,20 @@ def machines(benches: list[Bench]) -> Figure | None:
     if len(benches) < 2:
         return None
     kinds = list(dict.fromkeys(row.kind for bench in benches for row in bench.fastest()))
-    figure, [[axis]] = style.panels(1, 1, 8, 3.2)
-    width = 0.8 / len(benches)
+    figure, [[axis]] = style.panels(1, 1, 8, 1.1 + 0.2 * len(kinds))
     said = []
     for number, bench in enumerate(benches):
-        for best in bench.fastest():
-            k = kinds.index(best.kind)
-            x = k + (number - (len(benches) - 1) / 2) * width
-            axis.bar(
-                x,
-                best.figures["pixels_per_second"] / 1e6,
-                width,
-                label=bench.machine if k == 0 else None,
-                **style.look(number),
-            )
-            axis.text(
-                x, best.figures["pixels_per_second"] / 1e6, where(best), rotation=90, ha="center", va="bottom", fontsize=6
-            )
-            said.append(f"{bench.machine}: {' '.join(best.kind)}: {where(best)}, {ms(best.kernel.median)} ms")
-    axis.set_xticks(range(len(kinds)), ["\n".join(kind) for kind in kinds], fontsize=7)
-    axis.set_yscale("log")
-    axis.yaxis.set_major_formatter(lambda y, _: plain(y))
-    axis.yaxis.set_minor_formatter(lambda y, _: plain(y))
-    axis.grid(axis="x", visible=False)
-    axis.set_ylabel("Mpixel/s, fastest backend")
-    figure.legend(loc="outside upper center", fontsize=7)
+        best = bench.fastest()
+        rates = [row.figures["pixels_per_second"] / 1e6 for row in best]
+        axis.plot(rates, [kinds.index(row.kind) for row in best], label=bench.machine, **style.line(number) | {"linestyle": ""})
+        said += [f"{bench.machine}: {' '.join(row.kind)}: {where(row)}, {ms(row.kernel.median)} ms" for row in best]
+    axis.set_yticks(range(len(kinds)), [", ".join(kind) for kind in kinds], fontsize=8)
+    axis.invert_yaxis()
+    axis.set(xlabel="Mpixel/s, fastest backend", xlim=(0, None))
+    axis.grid(axis="y", visible=False)
+    figure.legend(loc="outside upper center", fontsize=8)
     return style.block(
         figure,
-        "Bars: the fastest backend's rate on each machine. " + "; ".join(said) + ".",
-        "All machines: pixels per second of the fastest backend, which is named above the bar; logarithmic.",
+        "Points: the fastest backend's rate on each machine. " + "; ".join(said) + ".",
+        "All machines: pixels per second of the fastest backend.",
     )

@@ -12,6 +12,9 @@ from ..blocks import Figure
 from ..text import digits, plain
 from . import style
 
+NAMES = ("DE evaluations per pixel", "iterations per DE evaluation", "operations per iteration", "idle lanes (sample)", "all four", "measured time")
+TICKS = (0.0625, 0.125, 0.25, 0.5, 1, 2, 4, 8, 16, 32)
+
 
 @dataclass(frozen=True)
 class Factors:
@@ -69,19 +72,10 @@ def factors(bench: Bench, backend: str) -> list[Factors]:
 
 
 def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
-    """Shows each factor of the Mandelbox divided by the Mandelbulb's, with a bar for each scene."""
+    """Shows each factor of the Mandelbox divided by the Mandelbulb's, with a mark for each scene."""
     if not pairs:
         return None
-    names = [
-        "DE evaluations\nper pixel",
-        "iterations per\nDE evaluation",
-        "operations\nper iteration",
-        "idle lanes\n(sample)",
-        "all four",
-        "measured\ntime",
-    ]
-    figure, [[axis]] = style.panels(1, 1, 8, 3.3)
-    width = 0.8 / len(pairs)
+    figure, [[axis]] = style.panels(1, 1, 8, 2.8)
     said = []
     for number, (box, bulb) in enumerate(pairs):
         parts = [
@@ -90,29 +84,23 @@ def comparison(pairs: list[tuple[Factors, Factors]]) -> Figure | None:
             box.operations / bulb.operations,
             bulb.active / box.active,
         ]
-        product = parts[0] * parts[1] * parts[2] * parts[3]
-        values = [*parts, product, box.kernel / bulb.kernel if box.kernel and bulb.kernel else None]
-        for k, value in enumerate(values):
-            if value is None:
-                continue
-            x = k + (number - (len(pairs) - 1) / 2) * width
-            # Bars start at 1. Factors that make the Mandelbox slower point up, the others down.
-            axis.bar(x, value - 1, width, bottom=1, label=box.view if k == 0 else None, **style.look(number))
-            axis.text(x, max(value, 1) * 1.05, digits(value, 2), ha="center", va="bottom", fontsize=6.5, rotation=90)
-            said.append(f"{box.view}, {names[k].replace(chr(10), ' ')}: {digits(value)}")
-    axis.set_yscale("log", base=2)
-    axis.margins(y=0.15)
-    ticks = [t for t in (0.0625, 0.125, 0.25, 0.5, 1, 2, 4, 8, 16, 32) if axis.get_ylim()[0] <= t <= axis.get_ylim()[1]]
-    axis.set_yticks(ticks, [plain(t) for t in ticks])
-    axis.axhline(1, color="black", linewidth=0.8)
-    axis.set_xticks(range(len(names)), names)
-    axis.grid(axis="x", visible=False)
-    axis.set_ylabel("Mandelbox / Mandelbulb")
-    figure.legend(loc="outside lower center", title="scene", fontsize=8, ncols=len(pairs))
+        values = [*parts, math.prod(parts), *([box.kernel / bulb.kernel] if box.kernel and bulb.kernel else [])]
+        at = [k + 0.13 * (number - (len(pairs) - 1) / 2) for k in range(len(values))]
+        axis.plot(values, at, label=box.view, **style.line(number) | {"linestyle": ""})
+        said += [f"{box.view}, {name}: {digits(value)}" for name, value in zip(NAMES, values)]
+    axis.set_xscale("log", base=2)
+    ticks = [t for t in TICKS if axis.get_xlim()[0] <= t <= axis.get_xlim()[1]]
+    axis.set_xticks(ticks, [plain(t) for t in ticks])
+    axis.axvline(1, color="black", linewidth=0.8)
+    axis.set_yticks(range(len(NAMES)), NAMES, fontsize=8)
+    axis.invert_yaxis()
+    axis.grid(axis="y", visible=False)
+    axis.set_xlabel("Mandelbox / Mandelbulb, logarithmic")
+    figure.legend(loc="outside lower center", fontsize=8, ncols=len(pairs))
     return style.block(
         figure,
-        "Bars on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
-        "Mandelbox over Mandelbulb, factor by factor (in double; above 1: the Mandelbox does more). Idle lanes: the Mandelbulb's "
-        "fraction of active lanes over the Mandelbox's. DE evaluations and iterations are counted over all pixels, operations and lanes in a "
-        f"sample of {pairs[0][0].sample:,} pixels of each picture. The fifth group is the product of the first four.",
+        "Points on a logarithmic scale, Mandelbox over Mandelbulb. " + "; ".join(said) + ".",
+        "Mandelbox over Mandelbulb, factor by factor and scene by scene (in double; above 1: the Mandelbox does more). Idle lanes: the "
+        "Mandelbulb's fraction of active lanes over the Mandelbox's. DE evaluations and iterations are counted over all pixels, operations and "
+        f"lanes in a sample of {pairs[0][0].sample:,} pixels of each picture. The fifth line is the product of the first four.",
     )

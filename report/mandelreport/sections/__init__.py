@@ -6,11 +6,13 @@ page.py."""
 from __future__ import annotations
 
 import functools
+import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..answers import Answers
 from ..backends import Backends
+from ..errors import InputError
 from ..pictures import Studio
 from ..results import Results
 
@@ -30,6 +32,20 @@ class Material:
     @functools.cached_property
     def answers(self) -> Answers:
         return Answers(self.results, self.backends)
+
+    @functools.cached_property
+    def timings(self) -> str | None:
+        """Returns the output of `bench csv` for all results of the standard study, with the result's file as first
+        column, or None if bench is missing or there is no result."""
+        program = self.studio.render.with_name("bench")
+        lines: list[str] = []
+        for bench in self.results.study("standard") if program.exists() else ():
+            run = subprocess.run([program, "csv", bench.path], capture_output=True, text=True, check=False)
+            if run.returncode != 0:
+                raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['failed without a message'])[-1]}")
+            header, *rows = run.stdout.splitlines()
+            lines += ([] if lines else [f"file,{header}"]) + [f"{bench.name},{row}" for row in rows]
+        return "".join(f"{line}\n" for line in lines) or None
 
     def letter(self, name: str) -> str:
         """Returns the letter that stands in tables for a result of the standard study: A for the first."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Environments of all measurements, in three tables: a column for each standard study; a line for each set of compiler,
-flags and driver; a line for each other file."""
+"""Environments of all measurements: a line for each result of the standard study, for each machine and build, for each
+set of compiler, flags and driver, and for each other file."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from ..bench import Bench
@@ -26,64 +26,90 @@ def _gpu(gpu: dict[str, Any]) -> str:
     return f"{gpu['name']}: {', '.join(parts)}, throttled: {gpu['throttled']}"
 
 
-def _telemetry(environment: dict[str, Any]) -> dict[str, str]:
+def _telemetry(environment: dict[str, Any]) -> list[str]:
+    """Returns the readings of energy, of the counters, and of the GPUs."""
     told = environment.get("telemetry", {})
     counted = ("cycles", "instructions", "cache_misses", "branch_misses")
-    return {
-        "energy": _told(told.get("energy"), lambda e: ", ".join(f"{d['name']} {d['joules']:.0f} J" for d in e["domains"]) + f" in {e['seconds']:.0f} s"),
-        "counters": _told(told.get("counters"), lambda c: ", ".join(f"{k} {c[k]:.3g}" for k in counted if c[k] is not None)),
-        "GPUs": _told(told.get("gpus"), lambda gpus: "; ".join(_gpu(gpu) for gpu in gpus) if isinstance(gpus, list) else "–"),
-    }
+    return [
+        _told(told.get("energy"), lambda e: ", ".join(f"{d['name']} {d['joules']:.0f} J" for d in e["domains"]) + f" in {e['seconds']:.0f} s"),
+        _told(told.get("counters"), lambda c: ", ".join(f"{k} {c[k]:.3g}" for k in counted if c[k] is not None)),
+        _told(told.get("gpus"), lambda gpus: "; ".join(_gpu(gpu) for gpu in gpus) if isinstance(gpus, list) else "–"),
+    ]
 
 
-def _facts(bench: Bench, host: str) -> dict[str, str]:
+def _measurement(bench: Bench) -> list[str]:
     e = bench.environment
-    cpu, git, build, during = e["cpu"], e["git"], e["build"], e["during"]
-    return {
-        "file": bench.name,
-        "pixels": bench.size,
-        "runs, seed": f"{bench.data['runs']}, {bench.data['seed']}",
-        "SIMD": instructions(bench, host) or "–",
-        "date": e["date"][:16].replace("T", " "),
-        "revision": git["revision"][:12] + (", with uncommitted changes" if git["dirty"] else ""),
-        "build": f"{build['type']}, {build['compiler']}, {build['version']}",
-        "flags": build["flags"],
-        "processor": f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} of {cpu['cores']} threads",
-        "clock, microcode": f"{cpu['megahertz']} MHz, {cpu['microcode']}",
-        "governor": cpu["governor"] or "unknown",
-        "memory": f"{e['memory']['total_bytes'] / 2**30:.1f} GiB",
-        "system": f"{e['os']['name']}, {e['os']['kernel']}, {e['os']['architecture']}",
-        "load during the run": f"{during['load_at_start']:.1f} to {during['load_at_end']:.1f}",
-        "used by others": f"{100 * during['others_share']:.1f} %",
-        "stolen by the hypervisor": f"{100 * during['stolen_share']:.2f} %",
-        **_telemetry(e),
-        "warnings": str(len(bench.data["warnings"])),
-    }
+    git, during = e["git"], e["during"]
+    return [
+        bench.name,
+        e["date"][:16].replace("T", " "),
+        git["revision"][:12] + (", with uncommitted changes" if git["dirty"] else ""),
+        f"{bench.data['runs']}, {bench.data['seed']}",
+        f"{during['load_at_start']:.1f} to {during['load_at_end']:.1f}",
+        f"{100 * during['others_share']:.1f} %",
+        f"{100 * during['stolen_share']:.2f} %",
+        str(len(bench.data["warnings"])),
+    ]
 
 
-def _environments(material: Material) -> Table | None:
-    benches = material.results.study("standard")
-    facts = [_facts(bench, material.backends.host) for bench in benches]
-    if not facts:
-        return None
-    rows = []
-    for key in facts[0]:
-        values = [of[key] for of in facts]
-        rows.append([key, *(["as A" if k and value == values[0] and len(value) > 12 else value for k, value in enumerate(values)])])
-    return Table(["", *(material.letter(bench.name) for bench in benches)], rows, "Results of the standard study.")
+def _machine(bench: Bench, host: str) -> list[str]:
+    e = bench.environment
+    cpu, build = e["cpu"], e["build"]
+    return [
+        f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} of {cpu['cores']} threads",
+        f"{cpu['megahertz']} MHz, {cpu['microcode']}",
+        cpu["governor"] or "unknown",
+        f"{e['memory']['total_bytes'] / 2**30:.1f} GiB",
+        f"{e['os']['name']}, {e['os']['kernel']}, {e['os']['architecture']}",
+        instructions(bench, host) or "–",
+        f"{build['type']}, {build['compiler']}, {build['version']}, {build['flags']}",
+    ]
 
 
-def _backends(material: Material) -> Table | None:
-    """Returns a line for each distinct set of backend, compiler, flags and driver, with the results that have it."""
+def _grouped(entries: Iterable[tuple[str, Sequence[str]]]) -> list[list[str]]:
+    """Returns a line for each distinct sequence of cells, after the letters of the results that have it."""
     lines: dict[tuple[str, ...], list[str]] = {}
-    for bench in material.results.study("standard"):
-        for backend in bench.environment["backends"]:
-            devices = "; ".join(f"{d['name']} ({d['driver']})" for d in backend["devices"]) or backend["unavailable"] or "none"
-            key = (backend["name"], backend["compiler"], backend["flags_exact"], backend["flags_fast"], devices)
-            lines.setdefault(key, []).append(material.letter(bench.name))
-    rows = [[key[0], ", ".join(letters), *key[1:]] for key, letters in sorted(lines.items())]
-    headers = ["backend", "results", "compiler", "flags, exact", "flags, fast", "devices and drivers"]
-    return Table(headers, rows, "Compilers, floating-point flags and drivers.") if rows else None
+    for letter, cells in entries:
+        lines.setdefault(tuple(cells), []).append(letter)
+    return [[", ".join(letters), *cells] for cells, letters in lines.items()]
+
+
+def _tables(material: Material) -> list[Table]:
+    benches = [(material.letter(bench.name), bench) for bench in material.results.study("standard")]
+    if not benches:
+        return []
+    backends = sorted(
+        (
+            (letter, [b["name"], b["compiler"], b["flags_exact"], b["flags_fast"],
+                      "; ".join(f"{d['name']} ({d['driver']})" for d in b["devices"]) or b["unavailable"] or "none"])
+            for letter, bench in benches
+            for b in bench.environment["backends"]
+        ),
+        key=lambda entry: (entry[1][0], entry[0]),
+    )
+    return [
+        Table(
+            ["", "file", "date", "revision", "runs, seed", "load", "used by others", "stolen by the hypervisor", "warnings"],
+            [[letter, *_measurement(bench)] for letter, bench in benches],
+            "Results of the standard study.",
+            [8],
+        ),
+        Table(
+            ["results", "processor", "clock, microcode", "governor", "memory", "system", "SIMD", "build"],
+            _grouped((letter, _machine(bench, material.backends.host)) for letter, bench in benches),
+            "Machines and builds.",
+        ),
+        Table(
+            ["results", "energy", "counters", "GPUs"],
+            _grouped((letter, _telemetry(bench.environment)) for letter, bench in benches),
+            "Energy, counters and clocks during the first run.",
+        ),
+        Table(
+            ["results", "backend", "compiler", "flags, exact", "flags, fast", "devices and drivers"],
+            _grouped(backends),
+            "Compilers, floating-point flags and drivers.",
+        ),
+    ]
 
 
 def section(material: Material) -> dict[str, Any]:
@@ -93,6 +119,6 @@ def section(material: Material) -> dict[str, Any]:
         if b.study != "standard"
     ]
     headers = ["file", "study", "machine", "runs", "revision", "date"]
-    tables = [_environments(material), _backends(material), Table(headers, others, "Other result files.", [3]) if others else None]
+    tables = _tables(material) + ([Table(headers, others, "Other result files.", [3])] if others else [])
     warnings = [(material.letter(b.name), b.data["warnings"]) for b in material.results.study("standard") if b.data["warnings"]]
-    return {"tables": [table for table in tables if table], "warnings": warnings, "missing": Missing("The environment of the timings", "make bench")}
+    return {"tables": tables, "warnings": warnings, "missing": Missing("The environment of the timings", "make bench")}

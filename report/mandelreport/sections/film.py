@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Choice of the frames, and the film's summary that the assignment requires."""
+"""Choice of the frames, a frame, and the film's summary that the assignment requires."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from PIL import Image
 from ..blocks import Figure, Missing, Table, data_uri
 from ..figures import flight as figures
 from ..flight import Film
+from ..pictures import ROOT
 from ..text import digits
 from . import Material
 
@@ -49,6 +50,15 @@ def _sheet(path: Path) -> Figure:
     )
 
 
+def _frame() -> Figure:
+    """Returns the frame of README, which tools/gallery renders."""
+    return Figure(
+        data_uri("image/jpeg", (ROOT / "docs" / "pictures" / "flight.jpg").read_bytes()),
+        "A frame of the film: inside the Mandelbulb, between its walls.",
+        "Frame 2700 of the Mandelbulb's flight with seed 1, rendered at 1920 x 1080 (make gallery).",
+    )
+
+
 def section(material: Material) -> dict[str, Any]:
     results = material.results
     map_command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
@@ -58,6 +68,9 @@ def section(material: Material) -> dict[str, Any]:
     ) if results.maps else None
     promises = [row for audit in results.audits for row in audit["rows"] if row["promise"]]
     return {
+        "frame": _frame(),
+        "steps": figures.steps(),
+        "cost": material.answers.film(),
         "films": [_table(film) for film in results.films],
         "missing": Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary report/results/film.json"),
         "map": ground or Missing("The map and the path", map_command),

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..blocks import Missing
+from ..bench import Bench, Row
+from ..blocks import Missing, Table
 from ..figures.front import times
-from ..figures.ladder import ladder, ladder_table
-from ..text import join
+from ..text import digits, join
 from . import Material
 
 # Names as spelled by their authors.
@@ -22,6 +22,43 @@ MODELS = {
     "opencl": "OpenCL",
     "vulkan": "Vulkan",
 }
+# Rungs of the ladder from the serial reference to the fastest picture.
+RUNGS = {
+    "reference": "serial reference",
+    "text": "kernel as scalar C++",
+    "float": "float for double",
+    "simd": "explicit SIMD",
+    "operations": "cheaper operations",
+    "estimates": "fewer DE evaluations",
+    "threads": "all threads",
+}
+
+
+def _gain(bench: Bench, question: str, row: Row | None) -> list[str]:
+    """Returns the cells of a rung's gain and of its interval."""
+    ratio = bench.compared(question, row) if row else None
+    if ratio is None:
+        return ["", ""]
+    gain = ratio.inverse()
+    return [digits(gain.median), f"[{', '.join(map(digits, gain.interval))}]" if gain.interval else ""]
+
+
+def _ladder(bench: Bench) -> Table:
+    """Returns a table with a line for each rung and one for all rungs together, and three columns for each fractal."""
+    fractals, values = bench.values("fractal"), bench.values("sweep_value")
+    rows = {(row.fractal, row.sweep_value): row for row in bench.timed()}
+    lines = []
+    for value in values:
+        name = value.partition("=")[2]
+        line = [RUNGS.get(name, name)]
+        for row in (rows.get((fractal, value)) for fractal in fractals):
+            line += [f"{1e3 * row.kernel.median:,.1f}" if row else "–", *_gain(bench, "to_previous_value", row)]
+        lines.append(line)
+    last = [rows.get((fractal, values[-1])) for fractal in fractals]
+    lines.append(["all together", *(cell for row in last for cell in ("", *_gain(bench, "to_first_value", row)))])
+    headers = ["rung", *(header for fractal in fractals for header in (f"{fractal}, ms", "gain", "interval"))]
+    caption = f"Kernel time of {bench.size} pixels, and gain over the rung before ({bench.machine}, {bench.name})."
+    return Table(headers, lines, caption, list(range(1, len(headers))))
 
 
 def section(material: Material) -> dict[str, Any]:
@@ -35,11 +72,7 @@ def section(material: Material) -> dict[str, Any]:
         "gpu_measured": material.results.gpu_measured(),
         "fastest": answers.fastest(),
         "speed_ups": answers.speed_ups(),
-        "ladder": [
-            block
-            for bench in material.results.study("ladder")
-            for block in (ladder(bench), *(ladder_table(bench, fractal) for fractal in bench.values("fractal")))
-        ],
+        "ladder": [_ladder(bench) for bench in material.results.study("ladder")],
         "no_ladder": Missing("The ladder", "bin/bench --study ladder --json report/results/ladder.json"),
         "fractals": answers.box_or_bulb(),
         "float": answers.float_or_double(),

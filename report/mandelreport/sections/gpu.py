@@ -8,7 +8,7 @@ from typing import Any
 
 from ..answers import FILM_SIZE as SIZE
 from ..bench import Row
-from ..blocks import Block, Missing, Table
+from ..blocks import Missing, Table
 from ..text import digits
 from . import Material
 from .tables import time_cell
@@ -52,11 +52,16 @@ def _table(material: Material, gpu: str, text: str) -> Table | None:
         rows,
         f"{gpu}: expected kernel time of the march at {SIZE[0]} x {SIZE[1]} (tools/gpu_expected.py), and the host's time, measured on two threads of a processor (*: in the study of resolutions).",
         list(range(4, len(headers))),
+        name=f"expected-{gpu}",
     ) if rows else None
 
 
 def section(material: Material) -> dict[str, Any]:
     papers = [(found[1], text) for text in material.results.files.values() if isinstance(text, str) and (found := PAPER.match(text))]
     # The card used in the course comes first.
-    tables: list[Block] = [table for gpu, text in sorted(papers, key=lambda paper: paper[0] != "K40") if (table := _table(material, gpu, text))]
-    return {"tables": tables or [Missing("The prediction", "make k40")], "measured": material.results.gpu_measured()}
+    tables = [table for gpu, text in sorted(papers, key=lambda paper: paper[0] != "K40") if (table := _table(material, gpu, text))]
+    return {
+        "tables": tables or [Missing("The prediction", "make k40")],
+        "names": [table.name for table in tables],
+        "measured": material.results.gpu_measured(),
+    }

@@ -75,7 +75,7 @@ def section(material: Material) -> dict[str, Any]:
     table = Table(
         ["", "file", "machine", "pixels", "runs", "SIMD", "revision"],
         rows,
-        "Results of the standard study; the tables below use their letters.",
+        "Results of the standard study. Appendix F uses their letters.",
         [4],
     )
     return {"table": table if rows else Missing("The results", "make bench"), "baseline": _baseline(material)}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parallelisation: the profile, the threads, and the gain from each technique."""
+"""Parallelisation: the profile, the directives, the threads, and the gain from each technique."""
 
 from __future__ import annotations
 
@@ -9,11 +9,28 @@ from typing import Any
 from markupsafe import Markup
 
 from ..bench import Bench, Row
-from ..blocks import Block, Missing
+from ..blocks import Block, Missing, Table
+from ..docs import code
 from ..figures import sweeps
+from ..figures.parallel import pixels
 from ..figures.profile import STAGES, profile, stage_medians
 from . import Material
 from .sweeps import THREADS, sweep
+
+DISTRIBUTION = [
+    ["openmp", "each thread takes tiles of 16 x 16 pixels from a shared counter; within a thread, packs of SIMD lanes with ended rays replaced"],
+    ["openacc", "one GPU thread per pixel, or per up to eight pixels if lanes refill; 128 threads per block; one kernel after the other per band of the picture: cones (in fast mode), march, shade, bytes"],
+    ["omptarget, cuda", "one GPU thread per pixel, with the same kernels as openacc; on the host, omptarget's threads share the pixels"],
+    ["stdpar, kokkos", "the model's own loop over the pixels of a band, one after the other in each thread"],
+    ["opencl", "one work item per pixel on a GPU, per strip of pixels (in vectors) on a CPU"],
+    ["vulkan", "one invocation per pixel, workgroups of 8 x 8 pixels, in passes short enough for watchdogs"],
+    ["MPI", "each rank requests the next segment of frames, renders it on its own device and encodes it; ranks exchange only segment numbers"],
+]
+# The directives that distribute pixels: file, and the line at which the quotation begins.
+DIRECTIVES = [
+    ("backends/openacc/loops.cpp.in", "void march_@variant@("),
+    ("backends/openmp/openmp.cpp", "#pragma omp parallel num_threads(threads_) reduction"),
+]
 
 
 def _march(material: Material) -> str:
@@ -32,16 +49,27 @@ def _traced(material: Material, bench: Bench, row: Row) -> Markup:
     return material.results.times(bench.name, bench.ratio_at("to_first_value", row.name))
 
 
-def _scaling(material: Material) -> str:
-    """Returns a sentence that compares the time on as many threads as cores with the time on one thread."""
-    found = []
-    for bench in material.results.study("threads"):
-        cores = str(bench.environment["cpu"]["cores_usable"])
-        found += [(bench, row, over) for row in bench.timed() if row.value == cores and (over := bench.compared("to_first_value", row))]
-    if not found:
-        return ""
-    least, most = (_traced(material, *pick(found, key=lambda one: one[2].median)[:2]) for pick in (min, max))
-    return Markup("with as many threads as cores, a picture takes {} to {} of the time on one thread; more threads than cores gain nothing.").format(least, most)
+def _scaling(material: Material) -> Markup:
+    """Returns a sentence on the time on as many threads as cores, and on twice as many, relative to one thread."""
+    parts = []
+    for factor, words in ((1, "On as many threads as cores, a picture takes {} to {} of the time on one thread"), (2, "on twice as many, {} to {}")):
+        found = [
+            (bench, row, over)
+            for bench in material.results.study("threads")
+            for row in bench.timed()
+            if row.value == str(factor * bench.environment["cpu"]["cores_usable"]) and (over := bench.compared("to_first_value", row))
+        ]
+        if found:
+            ends = (pick(found, key=lambda one: one[2].median)[:2] for pick in (min, max))
+            parts.append(Markup(words).format(*(_traced(material, *end) for end in ends)))
+    return Markup(", ").join(parts)
+
+
+def _threads(material: Material) -> list[Block]:
+    """Returns the figures of the sweep of threads, or none if no machine has more than two cores."""
+    studies = material.results.study("threads")
+    few = studies and all(bench.environment["cpu"]["cores_usable"] <= 2 for bench in studies)
+    return [] if few else sweep(material, *THREADS)
 
 
 def _worth(material: Material) -> str:
@@ -76,9 +104,13 @@ def section(material: Material) -> dict[str, Any]:
     march = _march(material)
     return {
         "march": march,
+        "pixels": pixels(),
+        "distribution": Table(["backend", "distribution of the work"], DISTRIBUTION, "Distribution of pixels and frames."),
+        "directives": [(file, code(file, begin)) for file, begin in DIRECTIVES],
         "profiles": _with(profiles, f"{march}, for every fractal, precision and mode." if march else "")
         or [Missing("The profile", "bin/bench --study profile --json report/results/profile.json")],
-        "threads": _with(sweep(material, *THREADS), _scaling(material)),
+        "scaling": _scaling(material),
+        "threads": _threads(material),
         "ablation": _with(ablations, _worth(material))
         or [Missing("The ablation", "bin/bench --study ablation --json report/results/ablation.json")],
     }

@@ -46,6 +46,7 @@ def _table(material: Material, bench: Bench) -> Table:
         "speed-up over the serial reference in double and exact mode, its speed-up over the scalar kernel on the same threads (*: from "
         "another file, named in Appendix B), and the scalar kernel's counted operations over its own.",
         list(range(1, 1 + len(kinds))),
+        name="times",
     )
 
 

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of all results of the standard study. Each result has a column, named by its letter in the main part."""
+"""Tables of the primary study and of performance portability. All results of the standard study are in a CSV file."""
 
 from __future__ import annotations
 
 import json
 import subprocess
-from collections.abc import Callable
 from typing import Any
 
 from ..bench import Bench, Row
-from ..blocks import Missing, Table
+from ..blocks import Missing, Table, data_uri
 from ..errors import InputError
 from ..figures import portability
 from ..models import label
@@ -34,33 +33,39 @@ def quotient_cell(row: Row, key: str) -> str:
     return "1" if value == 1 else with_interval(value, row.figures[f"{key}_interval"])
 
 
-def _columns(material: Material, cell: Callable[[Bench, Row], str], caption: str) -> Table | None:
-    """Returns a table with a line for each fractal, precision, mode and backend, and a column for each result. Leaves
-    out empty lines."""
-    benches = material.results.study("standard")
-    found: dict[tuple[str, ...], dict[str, str]] = {}
-    for bench in benches:
-        for row in bench.all_rows:
-            if row.fractal != "all":
-                name = label(row)
-                text = cell(bench, row) if row.timed else "–" if row.unavailable else "FAILED"
-                found.setdefault((*row.kind, name), {})[bench.name] = text
-    fractals = dict.fromkeys(key[0] for key in found)
-    order = (*fractals, "double", "float", "exact", "fast", *material.backends.names)
+def _timings(material: Material, bench: Bench) -> Table:
+    """Returns a table with a line for each timed row of the primary study."""
+    host, backends = material.backends.host, material.backends
 
-    def place(key: tuple[str, ...]) -> list[int]:
-        words = [word.split()[0].removesuffix("-scalar") for word in key]
-        return [order.index(word) if word in order else len(order) for word in words]
+    def work(row: Row) -> str:
+        share = bench.work_over_scalar(row, host)
+        return "–" if share is None else digits(share)
 
-    lines = [
-        [*key, *(cells.get(bench.name, "") for bench in benches)]
-        for key, cells in sorted(found.items(), key=lambda item: (place(item[0]), item[0]))
-        if set(cells.values()) - {"–"}
-    ]
-    if not lines:
-        return None
-    letters = [material.letter(bench.name) for bench in benches]
-    return Table(["fractal", "precision", "mode", "backend", *letters], lines, caption, list(range(4, 4 + len(letters))))
+    def place(row: Row) -> list[int]:
+        return [names.index(name) for name, names in zip((*row.kind, label(row)), orders)]
+
+    rows = [row for row in bench.all_rows if row.timed]
+    orders = [*(list(dict.fromkeys(row.data[key] for row in rows)) for key in ("fractal", "precision", "mode")), backends.order(map(label, rows))]
+    return Table(
+        ["fractal", "precision", "mode", "backend", "kernel ms", "over serial", "over scalar", "operations / scalar's", "share of peak", "picture"],
+        [
+            [
+                *row.kind,
+                label(row),
+                time_cell(row),
+                quotient_cell(row, "speed_up"),
+                quotient_cell(row, "over_scalar"),
+                work(row),
+                percent(row.figures["share_of_peak"]),
+                row.verification["text"],
+            ]
+            for row in sorted(rows, key=place)
+        ],
+        f"All times of {bench.name}: {bench.size} pixels on {bench.machine}. In brackets: 95 % intervals. Over serial, over scalar: wall-time "
+        "speed-ups over the serial reference and over the scalar kernel. Operations / scalar's: counted operations over the scalar kernel's; if "
+        "this is below 1, part of the speed-up is due to fewer operations.",
+        [4, 5, 6, 7, 8],
+    )
 
 
 def _reasons(material: Material) -> list[str]:
@@ -70,16 +75,15 @@ def _reasons(material: Material) -> list[str]:
 
 
 def _peaks(material: Material) -> Table | None:
-    benches = material.results.study("standard")
-    found: dict[tuple[str, str], dict[str, str]] = {}
-    for bench in benches:
-        for peak in bench.data["peaks"]:
-            rate = digits(peak["operations_per_second"] / 1e9)
-            found.setdefault((peak["backend"], peak["precision"]), {}).setdefault(bench.name, rate)
-    rows = [[*key, *(cells.get(bench.name, "–") for bench in benches)] for key, cells in found.items()]
-    headers = ["backend", "precision", *(material.letter(bench.name) for bench in benches)]
-    caption = "Measured multiply-add peaks [GFLOP/s]; a platform's peak is the highest that any backend reaches."
-    return Table(headers, rows, caption, list(range(2, len(headers)))) if rows else None
+    """Returns a table of each platform's highest multiply-add rate."""
+    best: dict[tuple[str, str], dict[str, Any]] = {}
+    for peak in (peak for bench in material.results.study("standard") for peak in bench.data["peaks"]):
+        key = (peak["platform"], peak["precision"])
+        if key not in best or peak["operations_per_second"] > best[key]["operations_per_second"]:
+            best[key] = peak
+    rows = [[*key, peak["backend"], digits(peak["operations_per_second"] / 1e9)] for key, peak in best.items()]
+    caption = "Measured multiply-add peaks: the highest rate that any backend reached on the platform."
+    return Table(["platform", "precision", "backend", "GFLOP/s"], rows, caption, [3]) if rows else None
 
 
 def _portability(material: Material) -> list[dict[str, Any]]:
@@ -184,21 +188,13 @@ def _race(race: dict[str, Any]) -> Table:
 
 
 def section(material: Material) -> dict[str, Any]:
-    def work(bench: Bench, row: Row) -> str:
-        share = bench.work_over_scalar(row, material.backends.host)
-        return "–" if share is None or abs(share - 1) < 0.01 else digits(share)
-
     entries = _portability(material)
     metric = [entry for entry in entries if not entry["not_measured"]]
     not_measured = {entry["application"]: entry["not_measured"] for entry in entries if entry["not_measured"]}
+    primary = material.answers.primary
     tables = [
-        _columns(material, lambda _, row: time_cell(row), "Kernel time and its 95 % interval [ms]; without brackets: too few samples for an interval."),
-        _columns(material, lambda _, row: quotient_cell(row, "speed_up"), "Speed-up over the serial reference, wall times."),
-        _columns(material, lambda _, row: quotient_cell(row, "over_scalar"), "Speed-up over the scalar kernel, wall times."),
-        _columns(material, work, "Counted operations over the scalar kernel's, if they differ by more than 1 %; part of the speed-up is then due to the operations."),
+        _timings(material, primary) if primary else None,
         _simd_widths(material),
-        _columns(material, lambda _, row: percent(row.figures["share_of_peak"]), "Counted operations per second as a share of the measured peak."),
-        _columns(material, lambda _, row: row.verification["text"], "Results of verification."),
         _peaks(material),
         factor_table(material),
         *map(_race, material.results.races),
@@ -206,6 +202,8 @@ def section(material: Material) -> dict[str, Any]:
     divergence = material.results.code_divergence
     return {
         "tables": [table for table in tables if table],
+        "csv": data_uri("text/csv", material.timings.encode()) if material.timings else None,
+        "no_csv": Missing("All timings as CSV", "make build report"),
         "reasons": _reasons(material),
         "missing": Missing("The timings", "make bench"),
         "portability": _portability_table(metric, not_measured),

@@ -68,6 +68,7 @@ def factor_table(material: Material) -> Table | None:
         f"sample of {found[0][1].sample:,} pixels. Sample / picture: DE evaluations per pixel in the sample over those in the complete picture; "
         "if this is far from 1, the sample is not representative.",
         list(range(4, 13)),
+        name="factors",
     )
 
 
@@ -146,13 +147,7 @@ def _see(pairs: list[tuple[Factors, Factors]]) -> str:
 
 def section(material: Material) -> dict[str, Any]:
     primary, backends = material.answers.primary, material.backends
-    figure = primary and timings.ratios(
-        primary,
-        backends,
-        "double_to_float",
-        "double / float, kernel time",
-        f"Time in double over that in float, round by round, with 95 % intervals ({primary.name}).",
-    )
+    figure = primary and timings.double_to_float(primary, backends)
     studies = material.results.study("box-vs-bulb")
     # Takes the study with the most backends and, of several such studies, the one with the most rows.
     first = max(studies, key=lambda bench: (len(bench.values("backend")), len(bench.rows)), default=None)
@@ -163,6 +158,6 @@ def section(material: Material) -> dict[str, Any]:
         and dataclasses.replace(
             figure,
             see="a register holds two floats per double, and the estimators' loops have more instructions in double (Appendix B): together "
-            "a factor of more than two if a backend uses SIMD. OpenACC's host fallback is scalar and gains less.",
+            "a factor of more than two if a backend uses SIMD. Scalar code gains less.",
         ),
     }
