@@ -21,12 +21,19 @@ set(MANDELMARCH_NVPTX_LINK "-foffload-options=nvptx-none=${MANDELMARCH_NVPTX_LIN
 # `make k40` reports the registers.
 set(MANDELMARCH_NVPTX_FEW_REGISTERS -O2 -fno-gcse -fno-tree-pre -fno-move-loop-invariants -fno-tree-loop-optimize)
 
-# mandelmarch_offloads(RESULT FLAG DIRECTIVE): stores in RESULT whether g++ with FLAG can compile a loop under the
-# pragma DIRECTIVE for nvptx.
-function(mandelmarch_offloads result flag directive)
+# mandelmarch_offloads(BACKEND FLAG DIRECTIVE): sets MANDELMARCH_BACKEND_OFFLOADS to whether g++ with FLAG can compile a
+# loop under the pragma DIRECTIVE for nvptx. If it cannot, prints the reason.
+function(mandelmarch_offloads backend flag directive)
     include(CheckCXXSourceCompiles)
+    string(TOUPPER MANDELMARCH_${backend}_OFFLOADS result)
+    set(${result} FALSE PARENT_SCOPE)
     if(NOT nvptx_as OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        set(${result} FALSE PARENT_SCOPE)
+        message(STATUS "${backend}: g++ has no offload compiler for nvptx (Debian: gcc-offload-nvptx)")
+        return()
+    endif()
+    if(CMAKE_BINARY_DIR MATCHES " ")
+        # g++ splits the offload compiler's options at blanks.
+        message(STATUS "${backend}: '${CMAKE_BINARY_DIR}' contains a blank, expected a build folder without one")
         return()
     endif()
     set(CMAKE_REQUIRED_FLAGS "${flag} -foffload=nvptx-none -fno-pie")
@@ -40,5 +47,8 @@ function(mandelmarch_offloads result flag directive)
             for (int i = 0; i < 64; ++i) sums[i] = float(i) * float(count) + 1;
             return sums[63] > 0 ? 0 : 1;
         }" ${result})
+    if(NOT ${result})
+        message(STATUS "${backend}: g++ cannot compile '#pragma ${directive}' for nvptx")
+    endif()
     set(${result} ${${result}} PARENT_SCOPE)
 endfunction()

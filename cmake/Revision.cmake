@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs at every build (cmake -P). Writes to OUTPUT the git revision of SOURCE and whether tracked files differ from this
-# revision; leaves OUTPUT untouched if its content stays the same. Result files (report/results) are ignored, so that
-# measurements, which write them, do not mark the sources as changed.
+# revision; leaves OUTPUT untouched if its content stays the same. Sources of an unknown revision count as changed.
+# Result files (report/results) are ignored, so that measurements, which write them, do not mark the sources as changed.
 set(revision unknown)
-set(dirty false)
-execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD OUTPUT_VARIABLE found RESULT_VARIABLE failed ERROR_QUIET
+set(dirty true)
+# The option allows sources that belong to another user, as in shared folders of clusters.
+set(git git -c safe.directory=${SOURCE} -C ${SOURCE})
+execute_process(COMMAND ${git} rev-parse HEAD OUTPUT_VARIABLE found RESULT_VARIABLE failed ERROR_QUIET
     OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(NOT failed)
     set(revision ${found})
-    execute_process(COMMAND git -C ${SOURCE} status --porcelain --untracked-files=no
-        -- . ":(exclude)report/results" OUTPUT_VARIABLE changes ERROR_QUIET)
-    if(changes)
-        set(dirty true)
+    execute_process(COMMAND ${git} status --porcelain --untracked-files=no
+        -- . ":(exclude)report/results" OUTPUT_VARIABLE changes RESULT_VARIABLE failed ERROR_QUIET)
+    if(NOT failed AND NOT changes)
+        set(dirty false)
     endif()
 endif()
 file(CONFIGURE OUTPUT ${OUTPUT}

@@ -16,6 +16,32 @@ namespace {
 
 constexpr std::string_view vector_flags[] = {"sse", "ssse", "avx", "fma", "f16c", "amx", "asimd", "sve"};
 
+// Names of ARM processors, for which Linux gives only numbers: the registers MIDR_EL1.Implementer and PartNum.
+struct ArmName {
+    std::string_view implementer, part, name;
+};
+
+constexpr ArmName arm_names[] = {
+    {"0x41", "0xd03", "ARM Cortex-A53"},
+    {"0x41", "0xd08", "ARM Cortex-A72"},
+    {"0x41", "0xd0b", "ARM Cortex-A76"},
+    {"0x41", "0xd0c", "ARM Neoverse N1"},
+    {"0x41", "0xd40", "ARM Neoverse V1"},
+    {"0x41", "0xd49", "ARM Neoverse N2"},
+    {"0x41", "0xd4f", "ARM Neoverse V2"},
+    {"0x46", "0x001", "Fujitsu A64FX"},
+    {"0xc0", "0xac3", "Ampere Ampere-1"},
+};
+
+// Returns a name such as "ARM Neoverse N1", or the numbers if they are not in the table.
+std::string arm_name(std::string_view implementer, std::string_view part)
+{
+    for (const ArmName& known : arm_names) {
+        if (known.implementer == implementer && known.part == part) return std::string(known.name);
+    }
+    return fmt::format("CPU implementer {} part {}", implementer, part);
+}
+
 std::string_view trimmed(std::string_view text)
 {
     const auto first = text.find_first_not_of(" \t");
@@ -51,6 +77,10 @@ Cpu read_cpuinfo(std::istream& cpuinfo)
     Cpu cpu;
     if (const std::string name = value("model name"); !name.empty()) cpu.name = name;
     if (const std::string vendor = value("vendor_id"); !vendor.empty()) cpu.vendor = vendor;
+    if (const std::string vendor = value("CPU implementer"); !vendor.empty()) {
+        cpu.name = arm_name(vendor, value("CPU part"));
+        cpu.vendor = cpu.name.substr(0, cpu.name.find(' '));
+    }
     cpu.family = number(value("cpu family"));
     cpu.model = number(value("model"));
     cpu.stepping = number(value("stepping"));

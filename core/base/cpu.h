@@ -18,7 +18,7 @@ struct Cache {
 };
 
 struct Cpu {
-    std::string name = "CPU";  // as reported by the CPU; "CPU" if unknown
+    std::string name = "CPU";  // as reported by the CPU, or by its numbers on ARM; "CPU" if unknown
     std::string vendor = "unknown";
     // Numbers that identify the design of an x86 CPU; different designs can have the same name. nullopt if unknown.
     std::optional<int> family, model, stepping;

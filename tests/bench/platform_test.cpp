@@ -45,8 +45,9 @@ TEST(Platform, HasFamilyAndModel)
 
 TEST(Platform, OfAnotherArchitectureIsItsName)
 {
-    const Cpu cpu = read("processor\t: 0\nFeatures\t: fp asimd sve2\nCPU implementer\t: 0x41\n");
-    EXPECT_EQ(cpu.platform(), "CPU");
+    const Cpu cpu = read("processor\t: 0\nFeatures\t: fp asimd sve2\nCPU implementer\t: 0x41\nCPU part\t: 0xd4f\n");
+    EXPECT_EQ(cpu.platform(), "ARM Neoverse V2");
+    EXPECT_EQ(cpu.vendor, "ARM");
     EXPECT_FALSE(cpu.family.has_value());
     EXPECT_EQ(cpu.vectors, (std::vector<std::string>{"asimd", "sve2"}));
     EXPECT_EQ(read("").platform(), "CPU");

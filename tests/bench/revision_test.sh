@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# revision_test.sh CMAKE SOURCE: changed sources mark a build as dirty; new results do not.
+# revision_test.sh CMAKE SOURCE: changed sources and sources of an unknown revision mark a build as dirty; new results
+# do not.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -24,3 +25,11 @@ echo b >report/results/bench.json
 dirty "$1" "$2" false "a result measured again"
 echo b >bench/source.cpp
 dirty "$1" "$2" true "a changed source"
+git checkout -q bench
+if [ "$(id -u)" = 0 ]; then
+    chown -R 1 .git
+    GIT_CEILING_DIRECTORIES=$work dirty "$1" "$2" false "sources of another user"
+    chown -R 0 .git
+fi
+rm -rf .git
+dirty "$1" "$2" true "sources without a repository"

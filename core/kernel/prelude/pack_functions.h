@@ -36,30 +36,35 @@ FN real clipped(real a, scalar most)
 
 #define MM_HAS_INVERSE_ROOT
 #if MM_FAST && (MM_REAL_IS_FLOAT || HWY_TARGET <= HWY_AVX3)
-// Returns 1 / b. Newton steps refine the hardware's approximation of 12 or 14 bits. This takes a third of the time of a
-// division or a square root.
+// Return the hardware's approximations of 1 / b and 1 / sqrt(a): of 12 or 14 bits on x86, of 8 bits on ARM.
+#if MM_REAL_IS_FLOAT
+FN hn::Vec<Reals> first_reciprocal(hn::Vec<Reals> b) { return hn::ApproximateReciprocal(b); }
+FN hn::Vec<Reals> first_reciprocal_root(hn::Vec<Reals> a) { return hn::ApproximateReciprocalSqrt(a); }
+#else
+FN hn::Vec<Reals> first_reciprocal(hn::Vec<Reals> b) { return hn::Vec<Reals>{_mm512_rcp14_pd(b.raw)}; }
+FN hn::Vec<Reals> first_reciprocal_root(hn::Vec<Reals> a) { return hn::Vec<Reals>{_mm512_rsqrt14_pd(a.raw)}; }
+#endif
+// A Newton step doubles the bits, so one step is enough for float on x86.
+constexpr bool two_newton_steps = !MM_REAL_IS_FLOAT || HWY_ARCH_ARM;
+
+// Returns 1 / b. Newton steps refine the hardware's approximation. This takes a third of the time of a division or a
+// square root.
 FN hn::Vec<Reals> reciprocal(hn::Vec<Reals> b)
 {
     const auto two = hn::Set(Reals(), MM_REAL(2));
-#if MM_REAL_IS_FLOAT
-    const auto y = hn::ApproximateReciprocal(b);
-#else
-    const auto first = hn::Vec<Reals>{_mm512_rcp14_pd(b.raw)};
-    const auto y = hn::Mul(first, hn::NegMulAdd(b, first, two));
-#endif
+    auto y = first_reciprocal(b);
+    if (two_newton_steps) y = hn::Mul(y, hn::NegMulAdd(b, y, two));
     return hn::Mul(y, hn::NegMulAdd(b, y, two));
 }
 
 // Returns s / sqrt(a). The last Newton step includes the factor s.
 FN hn::Vec<Reals> reciprocal_root(hn::Vec<Reals> a, MM_REAL s)
 {
-#if MM_REAL_IS_FLOAT
-    const auto y = hn::ApproximateReciprocalSqrt(a);
-#else
-    const auto first = hn::Vec<Reals>{_mm512_rsqrt14_pd(a.raw)};
-    const auto half = hn::Mul(a, hn::Set(Reals(), MM_REAL(0.5)));
-    const auto y = hn::Mul(first, hn::NegMulAdd(hn::Mul(half, first), first, hn::Set(Reals(), MM_REAL(1.5))));
-#endif
+    auto y = first_reciprocal_root(a);
+    if (two_newton_steps) {
+        const auto half = hn::Mul(a, hn::Set(Reals(), MM_REAL(0.5)));
+        y = hn::Mul(y, hn::NegMulAdd(hn::Mul(half, y), y, hn::Set(Reals(), MM_REAL(1.5))));
+    }
     const auto scaled = hn::Mul(a, hn::Set(Reals(), MM_REAL(0.5) * s));
     return hn::Mul(y, hn::NegMulAdd(hn::Mul(scaled, y), y, hn::Set(Reals(), MM_REAL(1.5) * s)));
 }

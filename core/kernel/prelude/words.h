@@ -5,6 +5,10 @@
 #error "expected definitions of MM_REAL and MM_REAL_IS_FLOAT"
 #endif
 
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
+#error "this compiler computes in a higher precision than the type's; on x86, give it -msse2 -mfpmath=sse"
+#endif
+
 #define vec3(a, b, c) make_vec3(a, b, c)
 #define R(x) MM_REAL(x)
 #if MM_REAL_IS_FLOAT
