@@ -94,6 +94,8 @@ Json json_of(const Layout& k)
             {"brightness", k.brightness},
             {"difference_step", k.difference_step},
             {"hull", k.hull},
+            {"subtile_hull", k.subtile_hull},
+            {"spacing", k.spacing},
             {"relaxation", k.relaxation},
             {"root_share", k.root_share},
             {"longitude", k.longitude},

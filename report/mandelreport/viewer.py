@@ -23,7 +23,7 @@ INPUTS = "(shape, escape, iterations, largest, conservative)"  # inputs of every
 CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
 # Fields of the scene whose values in the viewer may differ from the programs'. The viewer needs no hull, because the
 # picture is the same without it. The viewer's kernel is in float, which computes no normals from finite differences.
-VIEWERS_OWN = ("hull", "difference_step")
+VIEWERS_OWN = ("hull", "subtile_hull", "spacing", "difference_step")
 FLATTEN = FOLDER / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
 VIEWS = FOLDER / "views"  # of files NAME.FRACTAL.dat

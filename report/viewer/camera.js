@@ -49,8 +49,9 @@ function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, m
     const tangent = Math.tan(camera.field * rules.degrees_per_field / 2 * Math.PI / 180);
     return { width, height, max_iterations: s.iterations, max_steps: maxSteps, fractal_whole: row.whole(...inputs),
         colouring: s.colouring, canonical: fast ? 1 : 0,
-        // Float is too imprecise for normals from differences. The picture is the same without the hull.
-        differences: 0, difference_step: 0, hull: 0,
+        // Float is too imprecise for normals from differences. The picture is the same without the hull. The viewer has
+        // no cones and neighbours, which use the other two.
+        differences: 0, difference_step: 0, hull: 0, subtile_hull: 0, spacing: 0,
         tolerance: Math.pow(10, Math.fround(s.detail)), step_factor,
         relaxation: fast && step_factor >= rules.plain_step_factor ? rules.longest_relaxed : step_factor, end: rules.end, miss: Infinity,
         brightness: s.brightness, root_share: row.root_share, fractal: row.constants(...inputs),

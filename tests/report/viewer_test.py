@@ -95,7 +95,20 @@ def wrong_views(program: str, table: dict, file: Path) -> list[str]:
         twin = ours | {"eye": [1.01 * x for x in ours["eye"]]}
         if "eye" not in viewer.differing_fields(twin, printed):
             wrong.append(f"view {view['name']}: another eye is not seen")
+        if not viewer.missing_tools():
+            wrong += [f"view {view['name']}: no value for {field}" for field in missing_fields(ours, view["fractal"], file.parent)]
+            del ours["eye"]
+            if missing_fields(ours, view["fractal"], file.parent) != ["eye"]:
+                wrong.append(f"view {view['name']}: a missing eye is not seen")
     return wrong if views else ["no views"]
+
+
+def missing_fields(ours: dict, name: str, work: Path) -> list[str]:
+    """Returns the fields of the shader's Scene for which the viewer has no value, as spirv-cross reports the fields."""
+    viewer.shader(name, work)
+    said = subprocess.run(["spirv-cross", work / f"{name}.spv", "--reflect"], check=True, capture_output=True, text=True).stdout
+    scene = next(kind for kind in json.loads(said)["types"].values() if kind["name"] == "Scene")
+    return [member["name"] for member in scene["members"] if member["name"] not in ours]
 
 
 def main() -> int:

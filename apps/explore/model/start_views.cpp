@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/explore/model/start_views.h"
 
-#include <initializer_list>
+#include <vector>
 
 namespace mandelmarch::explore {
-namespace {
 
-constexpr std::initializer_list<StartView> embedded{
+std::span<const StartView> start_views()
+{
+    static const std::vector<StartView> embedded{
 #include "start_views.inc"
-};
-
-}  // namespace
-
-std::span<const StartView> start_views() { return {embedded.begin(), embedded.size()}; }
+    };
+    return embedded;
+}
 
 }  // namespace mandelmarch::explore
