@@ -19,8 +19,8 @@ void use(Model& model, const Setup& setup)
     model.say(name_of(setup));
 }
 
-// Selects the next device of the backend or, after its last device, the next backend. As soon as all devices have been
-// listed, backends without devices are skipped.
+// Selects the next device of the backend or, after its last device, the next backend that draws the scene. As soon as
+// all devices have been listed, backends without devices are skipped.
 void next_backend(Model& model, Desktop& /*desktop*/)
 {
     const auto& backends = model.registry.backends();
@@ -33,7 +33,7 @@ void next_backend(Model& model, Desktop& /*desktop*/)
     }
     for (std::size_t tried = 0; tried < backends.size(); ++tried) {
         at = (at + 1) % backends.size();
-        if (listings.empty() || !listings[at].devices.empty()) break;
+        if (backends[at]->draws(model.view.scene()) && (listings.empty() || !listings[at].devices.empty())) break;
     }
     use(model, with_device(setup, *backends[at], 0));
 }
