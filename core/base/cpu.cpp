@@ -22,15 +22,9 @@ struct ArmName {
 };
 
 constexpr ArmName arm_names[] = {
-    {"0x41", "0xd03", "ARM Cortex-A53"},
-    {"0x41", "0xd08", "ARM Cortex-A72"},
-    {"0x41", "0xd0b", "ARM Cortex-A76"},
-    {"0x41", "0xd0c", "ARM Neoverse N1"},
-    {"0x41", "0xd40", "ARM Neoverse V1"},
-    {"0x41", "0xd49", "ARM Neoverse N2"},
-    {"0x41", "0xd4f", "ARM Neoverse V2"},
-    {"0x46", "0x001", "Fujitsu A64FX"},
-    {"0xc0", "0xac3", "Ampere Ampere-1"},
+    {"0x41", "0xd03", "ARM Cortex-A53"},  {"0x41", "0xd08", "ARM Cortex-A72"},  {"0x41", "0xd0b", "ARM Cortex-A76"},
+    {"0x41", "0xd0c", "ARM Neoverse N1"}, {"0x41", "0xd40", "ARM Neoverse V1"}, {"0x41", "0xd49", "ARM Neoverse N2"},
+    {"0x41", "0xd4f", "ARM Neoverse V2"}, {"0x46", "0x001", "Fujitsu A64FX"},   {"0xc0", "0xac3", "Ampere Ampere-1"},
 };
 
 // Returns a name such as "ARM Neoverse N1", or the numbers if they are not in the table.
