@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "cli/backend_option.h"
@@ -197,10 +199,28 @@ StillOptions still_options(const Flythrough& options, const RendererOptions& ren
     return {options.stills, options.jpeg, options.every, options.picture(), renderer, options.segments, options.chosen};
 }
 
+// Returns the path that is rendered: the whole path or, for a film with --every N, every N-th of the chosen frames.
+// Throws InputError if the path does not have all chosen frames.
+Path rendered_path(Path path, const Flythrough& options)
+{
+    if (!options.stills.empty() || options.every == 1) return path;
+    const auto [first, last] = chosen_frames(options.chosen, path.frames.size());
+    std::vector<Frame> kept;
+    for (std::size_t at = first; at <= last; at += options.every) kept.push_back(path.frames[at]);
+    path.frames = std::move(kept);
+    return path;
+}
+
+// For a film of a rendered_path().
 FilmOptions film_options(const Flythrough& options, const RendererOptions& renderer)
 {
-    return {options.output, options.title,    options.authors, options.picture(),
-            renderer,       options.segments, options.chosen};
+    return {options.output,
+            options.title,
+            options.authors,
+            options.picture(),
+            renderer,
+            options.segments,
+            options.every > 1 ? std::nullopt : options.chosen};
 }
 
 // Throws InputError if the film or the stills cannot be made. Called before any work is done.
@@ -217,18 +237,20 @@ void check_pictures(const Flythrough& options, const RendererOptions& renderer, 
 std::string path_text(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
     if (options.stills.empty()) check_ffmpeg(container_of(options.output));
-    if (options.command == Command::render) {
+    if (options.reads_path()) {
         const Path path = read_path(options.path);
-        check_pictures(options, renderer, path.frames.size(), path.frames_per_second);
+        const Path rendered = rendered_path(path, options);
+        check_pictures(options, renderer, rendered.frames.size(), path.frames_per_second);
         refuse_broken(path, options);
-        return to_text(path);
+        return to_text(rendered);
     }
-    check_pictures(options, renderer, static_cast<std::size_t>(options.frames), options.rate);
+    const auto frames = static_cast<std::size_t>(options.frames);
+    check_pictures(options, renderer, options.stills.empty() ? (frames - 1) / options.every + 1 : frames, options.rate);
     const Plan made = make_plan(options);
     if (!options.path.empty()) write_file(options.path, to_text(made.path));
     write_map(options, made);
     show_audit(options, made.path, made.seconds, backend, renderer);
-    return to_text(made.path);
+    return to_text(rendered_path(made.path, options));
 }
 
 int render(const Flythrough& options, const Path& path, const Backend& backend, const RendererOptions& renderer,

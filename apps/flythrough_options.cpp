@@ -22,8 +22,11 @@ namespace {
 
 constexpr int most_frames = 10'000'000;
 
-const std::vector<std::pair<std::string, Command>> commands{
-    {"plan", Command::plan}, {"render", Command::render}, {"film", Command::film}, {"audit", Command::audit}};
+const std::vector<std::pair<std::string, Command>> commands{{"plan", Command::plan},
+                                                            {"render", Command::render},
+                                                            {"preview", Command::preview},
+                                                            {"film", Command::film},
+                                                            {"audit", Command::audit}};
 
 const std::string& name_of(Command command)
 {
@@ -35,7 +38,12 @@ struct Given {
     std::optional<std::variant<int, Range>> frames;  // a number of frames, or a range of a path's frames
     std::optional<int> rate;
     std::optional<std::pair<int, int>> size;
+    std::optional<std::size_t> every;
 };
+
+// Defaults of preview. A film of four minutes then takes less than 20 s on two cores.
+constexpr std::size_t preview_every = 8;
+constexpr std::pair preview_size{480, 270};
 
 Range range_option(const std::string& name, const std::string& text, const std::string& expected)
 {
@@ -58,7 +66,7 @@ std::variant<int, Range> frames_option(const std::string& text)
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Given& given)
 {
     add_choice(app, "COMMAND", options.command, commands, "what to do (explained below)")->default_str("")->required();
-    app.add_option("PATH", options.path, "path file: read by render and audit, written by film if given");
+    app.add_option("PATH", options.path, "path file: read by render, preview and audit, written by film if given");
     add_fractal_option(app, options.fractal)->capture_default_str();
     app.add_option("--params", options.parameters,
                    "plan, film: take the fractal, not the camera, from this parameter file (.dat)");
@@ -72,14 +80,15 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     add_estimate_option(app, options.conservative);
     app.add_option_function<std::string>(
         "--frames", [&](const std::string& text) { given.frames = frames_option(text); },
-        "plan, film: number of frames, without the title (default: 4 minutes); render: only frames A-B (from 0)");
+        "plan, film: number of frames, without the title (default: 4 minutes); render, preview: only frames A-B (from "
+        "0)");
     app.add_option("--fps", given.rate, "plan, film: frames per second, recorded in the path file (default 30)")
         ->check(whole(1, most_frames_per_second));
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { given.size = size_option(text); },
-        "WxH in pixels, even; 720p, 1080p or 4k (default 1920x1080; equirectangular: 2160x1080)");
+        "WxH in pixels, even; 720p, 1080p or 4k (default 1920x1080; equirectangular: 2160x1080; preview: 480x270)");
     add_projection_option(app, options.projection);
-    app.add_flag("--stereo", options.stereo, "film, render: side-by-side stereo, the left eye on the left");
+    app.add_flag("--stereo", options.stereo, "film, render, preview: side-by-side stereo, the left eye on the left");
     app.add_option("--samples", options.samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")
         ->check(real(1, 8))
         ->capture_default_str();
@@ -90,25 +99,26 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     add_precision_options(app, options.renderer);
     add_threads_option(app, options.threads);
     app.add_option("--look", options.look,
-                   "look, a colouring type from 0 to 4 (default: plan, film: 3; render: the path file's)")
+                   "look, a colouring type from 0 to 4 (default: plan, film: 3; otherwise the path file's)")
         ->check(whole(0, colouring_types - 1));
     app.add_option("--output", options.output,
-                   "plan: path file (default path.json); film, render: .mp4, .mkv, .webm or .gif (default video.mp4)");
+                   "plan: path file (default path.json); film, render, preview: .mp4, .mkv, .webm or .gif (default "
+                   "video.mp4; preview: preview.mp4)");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
     app.add_option("--map", options.map,
                    "plan, film: write the data for a drawing of the flight to this file, as JSON: free spheres and "
                    "narrow passages near the path, and for every frame the camera's position, turn and distance to the "
                    "surface");
     app.add_option("--summary", options.summary,
-                   "film, render: write device, frames and seconds per frame to this file, as JSON");
+                   "film, render, preview: write device, frames and seconds per frame to this file, as JSON");
     app.add_option("--title", options.title,
                    "first line of the title; without --title and --authors there is no title");
     app.add_option("--authors", options.authors, "second line of the title");
     app.add_option("--stills", options.stills, "write still frames to this folder instead of a film");
     add_choice(app, "--still-format", options.jpeg, {{"png", false}, {"jpeg", true}}, "format of stills");
-    app.add_option("--every", options.every, "with --stills: only every N-th frame")
-        ->check(whole(1, most_frames))
-        ->capture_default_str();
+    app.add_option("--every", given.every,
+                   "film, render, preview: only every N-th frame, so a film is N times as fast (default 1; preview: 8)")
+        ->check(whole(1, most_frames));
     app.add_option_function<std::string>(
         "--segments",
         [&](const std::string& text) { options.segments = range_option("segments", text, "A-B, such as 0-9"); },
@@ -117,7 +127,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
                  "render even if the path breaks a promise: a hard limit, marked ! in the audit's output");
     app.footer(
         "Commands: plan writes a path file and prints its audit; audit prints the audit of a path file; render makes a "
-        "film from a path file; film plans, prints the audit and renders.\n"
+        "film from a path file; preview makes one that is small and fast; film plans, prints the audit and renders.\n"
         "To continue an interrupted film, run the same command again. mpirun distributes the work among its ranks.\n"
         "Exit codes: 0 success, 1 failure or a broken promise, 2 wrong arguments or bad input, 77 backend not "
         "available." +
@@ -130,7 +140,9 @@ void set_size(const Given& given, Flythrough& options)
     const int pictures = options.stereo ? 2 : 1;
     const bool panorama = options.projection == Projection::equirectangular;
     std::tie(options.width, options.height) =
-        given.size.value_or(panorama ? std::pair{pictures * 2160, 1080} : std::pair{1920, 1080});
+        given.size.value_or(panorama                              ? std::pair{pictures * 2160, 1080}
+                            : options.command == Command::preview ? preview_size
+                                                                  : std::pair{1920, 1080});
     check_panorama(options.projection, options.width, options.height, pictures);
     if (options.stereo && options.width % 4 != 0) {
         throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
@@ -171,9 +183,9 @@ std::vector<NamedFile> Flythrough::written() const
     if (command == Command::film) files.push_back({"PATH", path});
     if (command == Command::plan || (command != Command::audit && stills.empty()))
         files.push_back({"--output", output});
-    if (command != Command::render) files.push_back({"--json", json});
+    if (!reads_path() || command == Command::audit) files.push_back({"--json", json});
     if (!reads_path()) files.push_back({"--map", map});
-    if (command == Command::film || command == Command::render) files.push_back({"--summary", summary});
+    if (command != Command::plan && command != Command::audit) files.push_back({"--summary", summary});
     return files;
 }
 
@@ -194,6 +206,7 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
     fractal_named(options.fractal);
     set_frames(given, options);
     set_size(given, options);
+    options.every = given.every.value_or(options.command == Command::preview ? preview_every : 1);
     if (options.device) options.renderer.device = *options.device;
     const bool reads = options.reads_path();
     if (reads && options.path.empty()) {
@@ -213,7 +226,9 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
         *file = output_name(*file);
     if (options.output.empty()) {
         const std::string planned = options.path.empty() ? "path.json" : options.path;
-        options.output = options.command == Command::plan ? planned : "video.mp4";
+        options.output = options.command == Command::plan      ? planned
+                         : options.command == Command::preview ? "preview.mp4"
+                                                               : "video.mp4";
     }
     return options;
 }

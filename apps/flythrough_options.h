@@ -15,17 +15,17 @@
 
 namespace mandelmarch {
 
-enum class Command { plan, render, film, audit };
+enum class Command { plan, render, preview, film, audit };
 
 struct Flythrough {
     Command command = Command::film;
-    std::string path;        // a path file: read by render and audit, written by film
+    std::string path;        // a path file: read by render, preview and audit, written by film
     std::string parameters;  // a parameter file with the fractal
     std::string fractal{fractals().front().name};
     std::uint64_t seed = 1;
     int frames = 7200;             // plan, film: length of the flight
     int rate = frames_per_second;  // plan, film: frames per second
-    std::optional<Range> chosen;   // render: only these frames of the path
+    std::optional<Range> chosen;   // render, preview: only these frames of the path
     int width = 1920, height = 1080;
     double samples = 1;
     Projection projection = Projection::perspective;
@@ -44,7 +44,7 @@ struct Flythrough {
     bool force = false;
 
     // Returns true if the command reads the path from a file; false: it plans the path.
-    bool reads_path() const { return command == Command::render || command == Command::audit; }
+    bool reads_path() const { return command != Command::plan && command != Command::film; }
     Picture picture() const { return {width, height, samples, look, projection, stereo}; }
     // Returns the files that the command writes, each with its option. read() returns the files that the command reads.
     // The path of a file is empty if its option is not given.

@@ -58,6 +58,18 @@ test_parts_of_a_path() {
     run 2 audit path.json --frames 1-2
 }
 
+# A preview has every eighth frame, or every N-th frame with --every N. With --stills, too.
+test_previews() {
+    run 0 preview path.json
+    [ "$(probe preview.mp4 width,height,nb_read_frames)" = 480,270,8 ] || fail "a preview has $(probe preview.mp4 width,height,nb_read_frames)"
+    run 0 preview path.json $small --every 20 --frames 10-59 --output preview.mkv
+    [ "$(probe preview.mkv nb_read_frames)" = 3 ] || fail "every 20th of 50 frames gives $(probe preview.mkv nb_read_frames)"
+    run 0 render path.json $small --every 20 --frames 10-59 --output same.mkv
+    same_file preview.mkv same.mkv "preview and render"
+    run 2 preview path.json --frames 60-70
+    says 'expected'
+}
+
 # Jobs of an array render different segments at the same time. The range of the last one may go beyond the last segment.
 test_job_arrays() {
     whole
