@@ -1,9 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
-# Installs the programs, and the libraries with their headers as the package mandelmarch: find_package(mandelmarch),
-# target_link_libraries(x mandelmarch::backends).
+# Installs the programs with their manual pages and the official parameter files, and the libraries with their headers
+# as the package mandelmarch: find_package(mandelmarch), target_link_libraries(x mandelmarch::backends).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
-install(TARGETS mandelbulb mandelbox render imgdiff flythrough RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+set(programs mandelbulb mandelbox render imgdiff demo flythrough bench)
+if(TARGET explore)
+    list(APPEND programs explore)
+endif()
+install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES paramsBulb.dat paramsBox.dat paramsJulia.dat DESTINATION ${CMAKE_INSTALL_DATADIR}/mandelmarch)
+install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Manual pages are made from the help texts.
+find_program(help2man help2man)
+mark_as_advanced(help2man)
+if(help2man AND NOT CMAKE_CROSSCOMPILING)
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/man)
+    foreach(program ${programs})
+        set(page ${CMAKE_CURRENT_BINARY_DIR}/man/${program}.1)
+        install(CODE "execute_process(COMMAND ${help2man} --no-info --no-discard-stderr --output ${page} $<TARGET_FILE:${program}>
+            COMMAND_ERROR_IS_FATAL ANY)")
+        install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    endforeach()
+endif()
 list(TRANSFORM MANDELMARCH_BUILT PREPEND mandelmarch_ OUTPUT_VARIABLE backend_targets)
 install(TARGETS mandelmarch_core mandelmarch_instruments mandelmarch_version mandelmarch_backends mandelmarch_warnings ${backend_targets}
     EXPORT mandelmarch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
