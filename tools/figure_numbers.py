@@ -3,7 +3,7 @@
 function takes the results and the arguments that the place gives, and returns the text for the place."""
 import re
 
-from mandelreport.bench import SCALAR
+from mandelreport.bench import SAME_WORK, SCALAR
 from mandelreport.errors import InputError
 from mandelreport.text import digits, with_interval
 
@@ -90,12 +90,14 @@ def over_scalar(results, study, fractal, precision, mode):
 
 
 def model_cost(results, study, *backends):
-    """Range of the speeds per thread of backends that run the scalar kernel, relative to openmp's scalar kernel."""
+    """Range of the speeds per thread of backends that run the scalar kernel, relative to openmp's scalar kernel, in
+    configurations with the same work."""
     speeds = []
     for row in rows_of(results, study):
         if row.backend in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
             scalar = row_of(results, study, *row.kind, SCALAR)
-            speeds.append(row.figures["over_scalar"] * scalar.threads / row.threads)
+            if abs(row.operations / scalar.operations - 1) <= SAME_WORK:
+                speeds.append(row.figures["over_scalar"] * scalar.threads / row.threads)
     if not speeds:
         raise InputError(f"{study}.json has no rows of {' '.join(backends)}")
     return range_of(speeds, 2)

@@ -11,13 +11,12 @@ from typing import Any
 from markupsafe import Markup
 
 from .backends import Backends
-from .bench import Bench, Row
+from .bench import SAME_WORK, Bench, Row
 from .number import Number
 from .results import Results
 from .text import where
 
 DRIVERS = ("opencl", "vulkan", "cuda")  # these drivers compile and distribute the work, on an unknown number of threads
-SAME_WORK = 1e-3  # in fast mode the last digits of counts differ
 
 
 def one_thread(row: Row) -> bool:

@@ -110,7 +110,10 @@ def models(file: File) -> dict[str, list[tuple[float, Times, float]]]:
         for row in file.rows.values():
             if row["backend"] == model and row["samples"]:
                 scalar = name_of(row["fractal"], row["precision"], row["mode"], "openmp", "simd-width=1")
-                assert abs(file.work(row["name"], scalar, "operations") - 1) < 1e-3, row["name"]
+                if abs(file.work(row["name"], scalar, "operations") - 1) > 0.01:
+                    # Loops for GPUs have no neighbours.
+                    assert model in ("omptarget", "openacc") and row["mode"] == "fast", row["name"]
+                    continue
                 factor = file.rows[scalar]["threads"] / row["threads"]
                 speed = file.speed(row["name"], scalar)
                 found.setdefault(model, []).append((factor * speed.value, speed, factor))
