@@ -66,7 +66,7 @@ test_previews() {
     [ "$(probe preview.mkv nb_read_frames)" = 3 ] || fail "every 20th of 50 frames gives $(probe preview.mkv nb_read_frames)"
     run 0 render path.json $small --every 20 --frames 10-59 --output same.mkv
     same_file preview.mkv same.mkv "preview and render"
-    run 2 preview path.json --frames 60-70
+    run 2 preview path.json $small --frames 60-70
     says 'expected'
 }
 
