@@ -58,7 +58,6 @@ test-all: ## tests of all instruction sets, models, simulated GPUs and bundles; 
 	@tools/build release all
 	@tools/python_packages
 	@tools/python_packages gpu_packages
-	@tools/cross_root arm64 riscv64 s390x
 	ctest --preset release -L wide
 
 # DRIVERS=OFF leaves out drivers for CPUs; FFMPEG=FILE bundles a static ffmpeg. See docs/bundle.md.

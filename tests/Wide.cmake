@@ -55,11 +55,6 @@ mandelmarch_sibling(fractal 3 bench render flythrough imgdiff every_fractal_test
 set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
 mandelmarch_script(same_bits.compilers siblings/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
 set_tests_properties(same_bits.compilers PROPERTIES FIXTURES_REQUIRED clang WORKING_DIRECTORY ${source})
-# Builds for other processors, whose exact pictures have the same bits.
-foreach(arch arm64 riscv64 s390x)
-    mandelmarch_script(cross.${arch} siblings/cross.sh WIDE ARGUMENTS ${bin} ${arch})
-    set_tests_properties(cross.${arch} PROPERTIES WORKING_DIRECTORY ${source} RESOURCE_LOCK build TIMEOUT 2400)
-endforeach()
 foreach(preset asan tsan)
     mandelmarch_test(suite.${preset} WIDE COMMAND ${CMAKE_CTEST_COMMAND} --preset ${preset})
     set_tests_properties(suite.${preset} PROPERTIES FIXTURES_REQUIRED ${preset} TIMEOUT 2400 WORKING_DIRECTORY ${source})
