@@ -72,7 +72,8 @@ Starts starts_of(const KernelScene& scene, const Fractal& fractal, const Techniq
     Starts starts;
     if (cones_pay(scene, fractal, techniques)) {
         for (const int side : {outer, inner}) {
-            if (side > 0) starts.cones[starts.cone_passes++] = {side, starts.tile_side()};
+            const int within = starts.tile_side();
+            if (side > 0) starts.cones[starts.cone_passes++] = {side, within};
         }
     }
     if (neighbours) starts.lattices = lattices_of(scene, fractal, techniques);

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
+#include "core/render/spacing.h"
 #include "core/scene/fractal.h"
 #include "tests/scenes.h"
 
@@ -220,6 +221,18 @@ TEST(Loops, ConesComeBeforeTheLatticesOfEachBand)
     std::vector<std::string> both = band;
     both.insert(both.end(), band.begin(), band.end());
     EXPECT_EQ(listing.passes, both);
+}
+
+TEST(Loops, InnerConesBeginAtTheEndsOfTheOuterOnes)
+{
+    const Scene scene = official_scene("bulb", 640, 640);
+    const auto kernel = kernel_scene<layout_f32::Scene>(scene, Mode::fast, {});
+    const Starts starts = starts_of(kernel, *scene.fractal, {}, 8, 2, false);
+    ASSERT_EQ(starts.cone_passes, 2);
+    EXPECT_EQ(starts.cones[0].side, 8);
+    EXPECT_EQ(starts.cones[0].within, 0);
+    EXPECT_EQ(starts.cones[1].side, 2);
+    EXPECT_EQ(starts.cones[1].within, 8);
 }
 
 // Pixels depend on the rows of their band if rays begin at cones or neighbours. Negative control: without, time cuts
