@@ -9,6 +9,6 @@ set(MANDELMARCH_FP_fast ${MANDELMARCH_FP_COMMON} -ffp-contract=fast)
 # Host code also prepares scenes and renders the reference. Its results must not depend on the compiler either.
 add_compile_options(-ffp-contract=off)
 # 32-bit x86 computes in registers of 80 bits by default, which rounds twice.
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^i.86$")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|amd64|AMD64|i.86)$" AND CMAKE_SIZEOF_VOID_P EQUAL 4)
     add_compile_options(-msse2 -mfpmath=sse)
 endif()

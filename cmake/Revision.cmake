@@ -6,9 +6,11 @@ set(revision unknown)
 set(dirty true)
 # The option allows sources that belong to another user, as in shared folders of clusters.
 set(git git -c safe.directory=${SOURCE} -C ${SOURCE})
+# Sources that belong to no repository can be inside another one.
+execute_process(COMMAND ${git} ls-files OUTPUT_VARIABLE own ERROR_QUIET)
 execute_process(COMMAND ${git} rev-parse HEAD OUTPUT_VARIABLE found RESULT_VARIABLE failed ERROR_QUIET
     OUTPUT_STRIP_TRAILING_WHITESPACE)
-if(NOT failed)
+if(NOT failed AND own)
     set(revision ${found})
     execute_process(COMMAND ${git} status --porcelain --untracked-files=no
         -- . ":(exclude)report/results" OUTPUT_VARIABLE changes RESULT_VARIABLE failed ERROR_QUIET)

@@ -96,7 +96,7 @@ def model_cost(results, study, *backends):
     for row in rows_of(results, study):
         if row.backend in (backends or ("stdpar", "kokkos", "openacc", "omptarget")):
             scalar = row_of(results, study, *row.kind, SCALAR)
-            if abs(row.operations / scalar.operations - 1) <= SAME_WORK:
+            if row.operations and scalar.operations and abs(row.operations / scalar.operations - 1) <= SAME_WORK:
                 speeds.append(row.figures["over_scalar"] * scalar.threads / row.threads)
     if not speeds:
         raise InputError(f"{study}.json has no rows of {' '.join(backends)}")

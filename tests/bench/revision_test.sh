@@ -31,5 +31,7 @@ if [ "$(id -u)" = 0 ]; then
     GIT_CEILING_DIRECTORIES=$work dirty "$1" "$2" false "sources of another user"
     chown -R 0 .git
 fi
+mkdir inner
+work=$work/inner dirty "$1" "$2" true "sources in another repository"
 rm -rf .git
 dirty "$1" "$2" true "sources without a repository"

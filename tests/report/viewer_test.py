@@ -84,7 +84,8 @@ def by_camera(table: dict, name: str, text: str, fast: bool) -> dict:
 def wrong_views(program: str, table: dict, file: Path) -> list[str]:
     """Returns the fields of the viewer's views that camera.js computes otherwise than the program. Writes to `file`."""
     wrong: list[str] = []
-    views = viewer.views([row["name"] for row in table["fractals"]])
+    names = [row["name"] for row in table["fractals"]]
+    views = viewer.views(names)
     for view in views:
         file.write_text(view["dat"], encoding="utf-8")
         printed = json.loads(
@@ -100,7 +101,7 @@ def wrong_views(program: str, table: dict, file: Path) -> list[str]:
             del ours["eye"]
             if missing_fields(ours, view["fractal"], file.parent) != ["eye"]:
                 wrong.append(f"view {view['name']}: a missing eye is not seen")
-    return wrong if views else ["no views"]
+    return wrong if views or "mandelbulb" not in names else ["no views"]
 
 
 def missing_fields(ours: dict, name: str, work: Path) -> list[str]:

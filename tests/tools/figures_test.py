@@ -74,9 +74,13 @@ class FiguresTest(ToolTest):
     def test_a_model_s_cost_is_compared_thread_for_thread(self):
         data = copy.deepcopy(ABLATION)
         model, scalar = data["rows"]
-        model |= {"backend": "kokkos", "application": "kokkos", "sweep_value": "", "threads": 1}
-        scalar |= {"sweep_value": "simd-width=1", "threads": 2}
+        model |= {"backend": "kokkos", "application": "kokkos", "sweep_value": "", "threads": 1, "operations": 1e9}
+        scalar |= {"sweep_value": "simd-width=1", "threads": 2, "operations": 1.001e9}
         model["figures"]["over_scalar"] = 0.49
+        # A configuration with other work is left out.
+        other = copy.deepcopy(model) | {"name": "other", "operations": 1.5e9}
+        other["figures"]["over_scalar"] = 0.1
+        data["rows"].append(other)
         self.results(data)
         place = "It runs at <!-- figures: model-cost ablation -->0.98<!-- end --> times the speed.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))

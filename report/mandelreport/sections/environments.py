@@ -43,7 +43,7 @@ def _measurement(bench: Bench) -> list[str]:
     return [
         bench.name,
         e["date"][:16].replace("T", " "),
-        git["revision"][:12] + (", with uncommitted changes" if git["dirty"] else ""),
+        git["revision"][:12] + (", with uncommitted changes" if git["dirty"] and git["revision"] != "unknown" else ""),
         f"{bench.data['runs']}, {bench.data['seed']}",
         f"{during['load_at_start']:.1f} to {during['load_at_end']:.1f}",
         f"{100 * during['others_share']:.1f} %",

@@ -51,7 +51,7 @@ def _sheet(path: Path) -> Figure:
 
 
 def _frame() -> Figure:
-    """Returns the frame of README, which tools/gallery renders."""
+    """Returns a frame of the film, which tools/gallery renders."""
     return Figure(
         data_uri("image/jpeg", (ROOT / "docs" / "pictures" / "flight.jpg").read_bytes()),
         "A frame of the film: inside the Mandelbulb, between its walls.",

@@ -69,7 +69,7 @@ def section(material: Material) -> dict[str, Any]:
                 bench.size,
                 str(bench.data["runs"]),
                 instructions(bench, material.backends.host),
-                git["revision"][:7] + (" and changes" if git["dirty"] else ""),
+                git["revision"][:7] + (" and changes" if git["dirty"] and git["revision"] != "unknown" else ""),
             ]
         )
     table = Table(
