@@ -16,7 +16,7 @@ git -c user.name=test -c user.email=test@test commit -qm one
 # dirty CMAKE SOURCE EXPECTED WHAT: generates the header and checks that MANDELMARCH_DIRTY is EXPECTED in it. WHAT is
 # printed on failure.
 dirty() {
-    "$1" -DSOURCE="$work" -DOUTPUT="$work/out/revision.h" -P "$2/cmake/Revision.cmake"
+    "$1" -DSOURCE="${sources:-$work}" -DOUTPUT="$work/out/revision.h" -P "$2/cmake/Revision.cmake"
     grep -q "MANDELMARCH_DIRTY $3" out/revision.h || fail "$4: $(cat out/revision.h)"
 }
 dirty "$1" "$2" false "as committed"
@@ -32,6 +32,6 @@ if [ "$(id -u)" = 0 ]; then
     chown -R 0 .git
 fi
 mkdir inner
-work=$work/inner dirty "$1" "$2" true "sources in another repository"
+sources=$work/inner dirty "$1" "$2" true "sources in another repository"
 rm -rf .git
 dirty "$1" "$2" true "sources without a repository"
