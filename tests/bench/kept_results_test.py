@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """kept_results_test.py BIN SOURCE: bench reads every stored result and derives from its samples the figures that the
 result has. The last digits may differ, because other versions of libraries round differently. Results of older builds
-lack the winners."""
+lack the winners. No configuration exceeds the peak of its device."""
 import json
 import math
 import pathlib
@@ -34,6 +34,8 @@ for path in sorted((SOURCE / "report" / "results").rglob("*.json")):
         found = derived(path)
         assert bool(found["winners"]) == (stored["study"] == "standard"), path
         assert same({"winners": found["winners"]} | stored, found), f"{path}: bench json gives other values"
+        for row in stored["rows"]:
+            assert ((row["figures"] or {}).get("share_of_peak") or 0) <= 1, f"{path}: {row['name']} exceeds the peak"
         checked += 1
 assert checked > 20, checked
 
