@@ -82,7 +82,7 @@ SCENES ?= 1000
 SCENES_SEED ?= 1
 # FILES="bench.json simd-widths.json" selects results from the list in tools/results.txt.
 FILES ?=
-results: build march-native ## all results in report/results, from one clean revision; resumes if interrupted (3 hours, estimated)
+results: build march-native ## the results that tools/results.txt lists, from one clean revision; resumes if interrupted (3 hours, estimated)
 	@python3 tools/results.py $(FILES)
 
 equivalence: build ## compare exact pictures of SCENES=1000 random scenes bit for bit on every backend (5 min, estimated)
@@ -121,7 +121,7 @@ contact-sheet: ## frames of video.mp4, its summary and its audit, for the report
 	cp video-summary.json report/results/film.json
 	cp video-audit.json report/results/flight_bulb.json
 
-gallery: build ## the pictures of docs/gallery.md (10 min, estimated)
+gallery: build ## the pictures of docs/gallery.md and README, and the path of the demo's film (10 min, estimated)
 	@tools/gallery bin docs/pictures
 
 # Measures how often bench duel is right on this machine, idle and with LOAD busy processes. The programs that it
@@ -204,7 +204,7 @@ gpu-hour: build ## gpu-quarter's and longer steps, on this machine; resumes if i
 install: build ## programs, libraries and headers into PREFIX=/usr/local (10 s, estimated)
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
-clean: ## remove everything that was built (at once)
+clean: ## remove the builds, the programs, the demo page and unfinished films (at once)
 	rm -rf build bin demo mandelbulb mandelbox video*.mp4.parts
 
 setup: ## install the packages needed to build and test (2 min, estimated)

@@ -66,7 +66,8 @@ std::variant<int, Range> frames_option(const std::string& text)
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Given& given)
 {
     add_choice(app, "COMMAND", options.command, commands, "what to do (explained below)")->default_str("")->required();
-    app.add_option("PATH", options.path, "path file: read by render, preview and audit, written by film if given");
+    app.add_option("PATH", options.path,
+                   "path file: read by render, preview and audit, written by plan and, if given, by film");
     add_fractal_option(app, options.fractal)->capture_default_str();
     app.add_option("--params", options.parameters,
                    "plan, film: take the fractal, not the camera, from this parameter file (.dat)");
@@ -101,9 +102,10 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     app.add_option("--look", options.look,
                    "look, a colouring type from 0 to 4 (default: plan, film: 3; otherwise the path file's)")
         ->check(whole(0, colouring_types - 1));
-    app.add_option("--output", options.output,
-                   "plan: path file (default path.json); film, render, preview: .mp4, .mkv, .webm or .gif (default "
-                   "video.mp4; preview: preview.mp4)");
+    app.add_option(
+        "--output", options.output,
+        "plan: path file (default PATH or path.json); film, render, preview: .mp4, .mkv, .webm or .gif (default "
+        "video.mp4; preview: preview.mp4)");
     app.add_option("--json", options.json, "plan, film, audit: write the audit to this file, as JSON");
     app.add_option("--map", options.map,
                    "plan, film: write the data for a drawing of the flight to this file, as JSON: free spheres and "

@@ -82,7 +82,7 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
         ->check(CLI::IsMember({"all", "exact", "fast"}));
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { options.size = size_option(text); },
-        "picture size, WxH in pixels (default 540x540)");
+        "picture size, WxH in pixels (default: the study's, 540x540 in most)");
     app.add_option_function<std::string>(
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
            "what to vary: " + joined(studies(), &Study::name, ", "))
