@@ -184,7 +184,7 @@ def sentences(folder: Path) -> list[tuple[str, list[float]]]:
         ("it: # of # exact pictures have the same bits.", same),
         ("run at ~ to ~ times the speed of the same kernel", every),
         ("is faster in # of # comparisons with other backends", count),
-        ("the slowest to the fastest of # cases of # x # pixels", [len(next(iter(cost.values()))), *side]),
+        ("the slowest to the fastest of at most # cases of # x # pixels", [len(next(iter(cost.values()))), *side]),
         *((f"{model} ~ to ~", ends(speeds)) for model, speeds in cost.items()),
         ("For Mandelbulb and Mandelbox in float, # x # pixels", side),
         *((f"in {m} mode openmp is ~ and ~ times as fast as the scalar kernel on as many threads (factors of # and # come from fewer operations)", simd(m)) for m in ("exact", "fast")),
