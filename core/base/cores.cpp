@@ -12,7 +12,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/base/control_group.h"
@@ -96,15 +98,15 @@ void limit_driver_threads(const char* name)
 
 int threads_named(const std::string& beginning)
 {
-    int count = 0;
+    std::set<std::string> names;
     std::error_code none;
     for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task", none)) {
         std::ifstream file(thread.path() / "comm");
         std::string name;
         std::getline(file, name);
-        count += name.starts_with(beginning) ? 1 : 0;
+        if (name.starts_with(beginning)) names.insert(name);
     }
-    return count;
+    return static_cast<int>(names.size());
 }
 
 void restore_affinity()

@@ -34,8 +34,8 @@ std::string binding();
 // other threads run.
 void limit_driver_threads(const char* name);
 
-// Returns the number of this process's threads whose names begin with `beginning`. Used for drivers that do not report
-// their number of threads.
+// Returns the number of different names of this process's threads that begin with `beginning`. Used for drivers that do
+// not report their number of threads, and number the threads of each opened device from 0.
 int threads_named(const std::string& beginning);
 
 // Allows the calling thread, and the threads and processes that it starts later, to run on every core assigned to the

@@ -4,12 +4,14 @@
 #include "core/base/cores.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <sched.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -185,6 +187,27 @@ TEST(Affinity, IsThatOfTheProcessesStartAndCanBeRestored)
         EXPECT_EQ(CPU_COUNT(&set), given);
         EXPECT_GE(given, before);
     });
+}
+
+// Two devices of a driver have threads of the same names.
+TEST(Cores, ThreadsOfSeveralDevicesAreCountedOnce)
+{
+    const auto named = [](const char* name) {
+        return std::jthread([name](const std::stop_token& stop) {
+            pthread_setname_np(pthread_self(), name);
+            while (!stop.stop_requested()) std::this_thread::yield();
+        });
+    };
+    const auto wait_for = [](int count) {
+        while (threads_named("counted-") != count) std::this_thread::yield();
+        return threads_named("counted-");
+    };
+    const std::jthread first = named("counted-0");
+    EXPECT_EQ(wait_for(1), 1);
+    const std::jthread again = named("counted-0");
+    const std::jthread second = named("counted-1");
+    EXPECT_EQ(wait_for(2), 2);
+    EXPECT_EQ(threads_named("nobody-"), 0);
 }
 
 }  // namespace
