@@ -60,6 +60,12 @@ test-all: ## tests of all instruction sets, models, simulated GPUs and bundles; 
 	@tools/python_packages gpu_packages
 	ctest --preset release -L wide
 
+cross: ## exact pictures by emulated ARM, RISC-V and big-endian processors, compared bit for bit (6 min with set-up and builds)
+	@tools/setup cross
+	@tools/build $(HERE) render imgdiff
+	@tools/cross_root arm64 riscv64 s390x
+	@for arch in arm64 riscv64 s390x; do bash tests/siblings/cross.sh build/$(HERE)/bin $$arch || exit 1; done
+
 # DRIVERS=OFF leaves out drivers for CPUs; FFMPEG=FILE bundles a static ffmpeg. See docs/bundle.md.
 DRIVERS ?= ON
 FFMPEG ?=

@@ -9,7 +9,7 @@ if(NOT MANDELMARCH_INSTRUCTIONS MATCHES "^(all|native)$")
     message(FATAL_ERROR "MANDELMARCH_INSTRUCTIONS: '${MANDELMARCH_INSTRUCTIONS}' given, expected all or native")
 endif()
 if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|amd64|AMD64|i.86)$")
-    # Untested: elsewhere packs are compiled for the compiler's own target: NEON on ARM. Vectors whose size is unknown at compile
+    # Elsewhere packs are compiled for the compiler's own target: NEON on ARM. Vectors whose size is unknown at compile
     # time (SVE, RISC-V's) cannot be elements of the packs' arrays.
     set(disabled "HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV")
 elseif(MANDELMARCH_SANITIZER)

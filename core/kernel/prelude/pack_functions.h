@@ -36,7 +36,7 @@ FN real clipped(real a, scalar most)
 
 #define MM_HAS_INVERSE_ROOT
 #if MM_FAST && (MM_REAL_IS_FLOAT || HWY_TARGET <= HWY_AVX3)
-// Return the hardware's approximations of 1 / b and 1 / sqrt(a): of 12 or 14 bits on x86, of 8 bits on ARM (untested).
+// Return the hardware's approximations of 1 / b and 1 / sqrt(a): of 12 or 14 bits on x86, of 8 bits on ARM.
 #if MM_REAL_IS_FLOAT
 FN hn::Vec<Reals> first_reciprocal(hn::Vec<Reals> b) { return hn::ApproximateReciprocal(b); }
 FN hn::Vec<Reals> first_reciprocal_root(hn::Vec<Reals> a) { return hn::ApproximateReciprocalSqrt(a); }
