@@ -41,7 +41,7 @@ struct Given {
     std::optional<std::size_t> every;
 };
 
-// Defaults of preview. A film of four minutes then takes less than 20 s on two cores.
+// Defaults of preview.
 constexpr std::size_t preview_every = 8;
 constexpr std::pair preview_size{480, 270};
 

@@ -24,15 +24,15 @@ struct Band {
     Cones cones = {};          // the cones of a pass of cones
 };
 
-// Max number of iterations of all loops of an invocation, including nested ones. The end of a loop counts as one more
-// iteration. Loops in branches that are not taken are not counted, although a device that masks lanes may execute them
-// once.
+// Max number of iterations that all loops of an invocation, including nested ones, take for a part of its work. The end
+// of a loop counts as one more iteration. Loops in branches that are not taken are not counted, although a device that
+// masks lanes may execute them once.
 struct Loops {
-    std::int64_t pass;    // of a pass that marches or refines, without its steps or refinements
-    std::int64_t step;    // of one step of a ray or a cone
-    std::int64_t tried;   // of one refinement of a hit
-    std::int64_t refine;  // of all refinements of a hit
-    std::int64_t shade;   // of shading
+    std::int64_t pass;    // a pass that marches or refines, without its steps or refinements
+    std::int64_t step;    // one step of a ray or a cone
+    std::int64_t tried;   // one refinement of a hit
+    std::int64_t refine;  // all refinements of a hit
+    std::int64_t shade;   // shading
 };
 
 struct LoopLimit {

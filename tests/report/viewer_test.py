@@ -93,14 +93,14 @@ def wrong_views(program: str, table: dict, file: Path) -> list[str]:
         )
         ours = by_camera(table, view["fractal"], view["dat"], True)
         wrong += [f"view {view['name']}: {name}" for name in viewer.differing_fields(ours, printed)]
-        twin = ours | {"eye": [1.01 * x for x in ours["eye"]]}
-        if "eye" not in viewer.differing_fields(twin, printed):
-            wrong.append(f"view {view['name']}: another eye is not seen")
+        changed = ours | {"eye": [1.01 * x for x in ours["eye"]]}
+        if "eye" not in viewer.differing_fields(changed, printed):
+            wrong.append(f"view {view['name']}: a changed eye is not detected")
         if not viewer.missing_tools():
             wrong += [f"view {view['name']}: no value for {field}" for field in missing_fields(ours, view["fractal"], file.parent)]
             del ours["eye"]
             if missing_fields(ours, view["fractal"], file.parent) != ["eye"]:
-                wrong.append(f"view {view['name']}: a missing eye is not seen")
+                wrong.append(f"view {view['name']}: a missing eye is not detected")
     return wrong if views or "mandelbulb" not in names else ["no views"]
 
 
