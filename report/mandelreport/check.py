@@ -6,65 +6,25 @@ Exit codes: 0 success, 1 a fault, 2 wrong arguments, 77 no browser. Screenshots 
 from __future__ import annotations
 
 import argparse
-import base64
 import json
-import math
 import re
-import subprocess
-import time
 from pathlib import Path
 
-from PIL import Image
-
 from .browser import Browser
+from .checker import DESKTOP, NARROW, Checker
 from .errors import InputError, run_program, write_whole
 from .page import APPENDIX, MAIN
-from .viewer import VIEWS, differing_fields
+from .viewer_check import ViewerChecker, without_webgl
 
-DESKTOP, NARROW = (1200, 900), (360, 740)  # pixels; the narrow one is a phone
 PAPER = 680  # pixels: A4 without its margins
 MOST_PAGES = 12
 FRONT_ONLY = "main > :not(#front), footer.page { display: none }"
 SECTIONS = 1 + len(MAIN) + len(APPENDIX)
-VIEWER_SECONDS = 300  # per picture, on a processor
-SAVE_SECONDS = 30
-SIZE = (320, 180)  # pixels of the viewer's picture
-CLOSE = 1e-6  # largest difference of two numbers of the same view; parameter files are rounded
-MOST_VISIBLE = {"exact": 0.002, "fast": 0.02}  # fraction of pixels that may differ visibly from bin/render's
 # The slider's description of a difference.
 DIFFERENCE = re.compile(r"[\d,]+ of [\d,]+ pixels differ(: the same bytes\.|, [\d,]+ by more than 2/255, at most \d+/255\.)")
-# Unusual scenes to check, by fractal. Each scene sets sliders, by name.
-ODD: dict[str, list[dict[str, float]]] = {
-    "mandelbulb": [{"shape.2": 3}, {"shape.2": 2.5}, {"shape.2": 8.5}],
-    "mandelbox": [{"shape.0": -1.5}],
-    "julia": [{"shape.0": 0.1, "shape.1": -0.5, "shape.2": 0.3, "escape": -0.2}],
-}
 
 
-def same_view(a: str, b: str) -> bool:
-    """Returns true if two parameter files describe the same view. The sizes of the pictures may differ."""
-
-    def numbers(text: str) -> list[float]:
-        lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
-        return [float(word) for line in lines[:4] + lines[5:10] for word in line.split()]
-
-    return all(math.isclose(x, y, abs_tol=CLOSE) for x, y in zip(numbers(a), numbers(b), strict=True))
-
-
-class Checker:
-    def __init__(self, browser: Browser, pictures: Path, programs: Path):
-        self.browser, self.pictures, self.programs = browser, pictures, programs
-        self.wrong: list[str] = []
-        self.address = self.shared = ""  # the part of an address after the page's name; the view that it shows
-
-    def expect(self, holds: bool, what: str) -> None:
-        print(f"{'ok   ' if holds else 'WRONG'} {what}")
-        if not holds:
-            self.wrong.append(what)
-
-    def shot(self, name: str) -> None:
-        write_whole(self.pictures / f"{name}.png", self.browser.screenshot())
-
+class PageChecker(Checker):
     def page(self) -> None:
         """Checks that nothing is broken, nothing overflows a narrow window, and every picture has a description."""
         run = self.browser.run
@@ -132,186 +92,6 @@ class Checker:
         same = self.browser.wait("/^0 of .*: the same bytes\\.$/.test(document.querySelector('.compare .said').textContent)", 30)
         self.expect(same, "a picture compared with itself has the same bytes")
 
-    def viewer(self) -> None:
-        run = self.browser.run
-        if not run("document.getElementById('viewer-canvas') !== null"):
-            print("the page has no viewer")
-            return
-        self.expect(run("document.getElementById('viewer-none').hidden"), "the viewer runs in WebGL 2")
-        run("document.getElementById('viewer-canvas').scrollIntoView()")
-        for fractal in run("[...document.getElementById('viewer-fractal').options].map((o) => o.value)"):
-            for number, odd in enumerate([{}, *ODD.get(fractal, [])]):
-                for mode in ("exact", "fast"):
-                    self._choose("viewer-fractal", fractal)
-                    self._choose("viewer-size", "x".join(map(str, SIZE)))
-                    self._choose("viewer-mode", mode)
-                    for parameter, value in odd.items():
-                        self._slide(parameter, value)
-                    begin = time.monotonic()
-                    whole = self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
-                    self.expect(
-                        whole,
-                        f"viewer, {fractal}, {odd or 'official'}, {mode}: complete after {time.monotonic() - begin:.0f} s "
-                        f"({run('document.getElementById(`viewer-says`).textContent')})",
-                    )
-                    if whole:
-                        self._against_render(fractal, mode, f"viewer-{fractal}-{mode}{f'-{number}' if odd else ''}")
-        self._fly()
-        self._views()
-
-    def _slide(self, parameter: str, value: float) -> None:
-        self.browser.run(f"""(() => {{ const s = document.querySelector('[data-parameter="{parameter}"]');
-            s.value = {value}; s.dispatchEvent(new Event('input')); }})()""")
-
-    def _choose(self, select: str, value: str) -> None:
-        self.browser.run(f"""(() => {{ const s = document.getElementById('{select}');
-            if (![...s.options].some((o) => o.value === '{value}')) s.add(new Option('{value}'));
-            s.value = '{value}'; s.dispatchEvent(new Event('change')); }})()""")
-
-    def _against_render(self, fractal: str, mode: str, name: str) -> None:
-        """Compares the viewer's picture and scene with those of bin/render for the viewer's parameter file."""
-        seen = self.pictures / f"{name}.png"
-        write_whole(seen, base64.b64decode(self.browser.run("Viewer.picture()").partition(",")[2]))
-        dat = self.pictures / f"{name}.dat"
-        write_whole(dat, self.browser.run("Viewer.dat()").encode())
-        render = self.programs / "render"
-        if not render.exists():
-            print(f"{render} is missing: the viewer's picture is not compared")
-            return
-        drawn = self.pictures / f"{name}-render.png"
-        # The viewer renders no trial. Therefore bin/render must not render one either.
-        command = [render, "--fractal", fractal, dat, "--precision", "float", "--mode", mode, "--without", "trial"]
-        printed = subprocess.run([*command, "--print-scene"], capture_output=True, text=True, check=False)
-        if printed.returncode == 0:
-            mine = self.browser.run("({ ...Viewer.fields(), miss: 'Infinity' })")
-            other = differing_fields(mine, json.loads(printed.stdout))
-            self.expect(not other, f"{name}: the scene's fields are bin/render's{': not ' + ', '.join(other) if other else ''}")
-            twin = differing_fields(mine | {"root_share": 1.5 * mine["root_share"]}, json.loads(printed.stdout))
-            self.expect("root_share" in twin, f"{name}: a wrong root share is detected")
-        done = subprocess.run([*command, "--output", drawn], capture_output=True, text=True, check=False)
-        self.expect(done.returncode == 0, f"bin/render renders the viewer's parameter file {done.stderr.strip()}")
-        if done.returncode == 0:
-            compared = subprocess.run([self.programs / "imgdiff", "--json", seen, drawn], capture_output=True, text=True, check=False)
-            if not compared.stdout:  # pictures of different sizes
-                self.expect(False, compared.stderr.strip())
-                return
-            found = json.loads(compared.stdout)
-            visible, pixels = found["visibly_differing_pixels"], found["width"] * found["height"]
-            self.expect(
-                visible <= MOST_VISIBLE[mode] * pixels,
-                f"viewer compared with bin/render --precision float --mode {mode}, {fractal}: {found['differing_pixels']} of {pixels} "
-                f"pixels differ, {visible} by more than 2/255, at most {found['largest_difference']}/255",
-            )
-
-    def _views(self) -> None:
-        """Checks that the buttons show the views, that the page's address contains the view, and that the picture can
-        be saved."""
-        run = self.browser.run
-        files = {file.name.split(".")[0]: file.read_text(encoding="utf-8") for file in VIEWS.glob("*.*.dat")}
-        names = run("[...document.querySelectorAll('[data-view]')].map((button) => button.textContent.toLowerCase())")
-        self.expect(sorted(names) == sorted(files), f"buttons for the views: {', '.join(names)}")
-        run("document.getElementById('viewer-canvas').scrollIntoView()")
-        for number, name in enumerate(names):
-            self._jump(number)
-            dat = run("Viewer.dat()")
-            self.expect(same_view(dat, files[name]), f"the button {name} shows the view")
-            self.expect(not same_view(dat, files[names[number - 1]]), f"the view {name} is not the view before it")
-        self._choose("viewer-mode", "exact")  # unlike at the start
-        kept = self.browser.wait(
-            "(() => { const at = new URLSearchParams(location.hash.slice(1));"
-            "return at.get('mode') === 'exact' && at.get('dat') === Viewer.dat().replace(/^#.*\\n/gm, ''); })()",
-            VIEWER_SECONDS,
-        )
-        self.expect(kept, "the page's address contains the view")
-        self.address, self.shared = run("location.hash"), run("Viewer.dat()")
-        self._choose("viewer-mode", "fast")
-        self._jump(0)
-        self.browser.wait(f"location.hash !== {json.dumps(self.address)}", VIEWER_SECONDS)
-        run(f"location.hash = {json.dumps(self.address)}")
-        back = self.browser.wait("document.getElementById('viewer-mode').value === 'exact'", 30)
-        self.expect(back and same_view(run("Viewer.dat()"), self.shared), "another address shows another view")
-        self.browser.wait("Viewer.idle() && !document.getElementById('viewer-picture').disabled", VIEWER_SECONDS)
-        saved = self.pictures / "view.png"
-        saved.unlink(missing_ok=True)
-        self.browser.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(self.pictures.absolute()))
-        run("document.getElementById('viewer-picture').click()")
-        end = time.monotonic() + SAVE_SECONDS
-        while not saved.exists() and time.monotonic() < end:
-            time.sleep(0.1)
-        picture = base64.b64decode(run("Viewer.picture()").partition(",")[2])
-        self.expect(saved.exists() and saved.read_bytes() == picture, "the button saves the picture")
-
-    def _jump(self, number: int) -> None:
-        self.browser.run(f"document.querySelectorAll('[data-view]')[{number}].click()")
-
-    def elsewhere(self, page: Path) -> None:
-        """Checks that another browser shows the same view at the same address, and another view without it."""
-        if not self.address:
-            return
-        with Browser() as browser:
-            browser.size(*DESKTOP)
-            browser.open(page, self.address)
-            size = browser.run("[Viewer.fields().width, Viewer.fields().height]")
-            mode = browser.run("document.getElementById('viewer-mode').value")
-            same = same_view(browser.run("Viewer.dat()"), self.shared) and size == list(SIZE) and mode == "exact"
-            self.expect(same, f"the address shows the same view in another browser: {mode}, {size[0]} x {size[1]}")
-            visible = browser.run(
-                "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect();"
-                "return r.bottom > 0 && r.top < innerHeight; })()"
-            )
-            self.expect(visible, "the page of this address opens at the viewer")
-            browser.open(page)
-            self.expect(not same_view(browser.run("Viewer.dat()"), self.shared), "without the address, another view is shown")
-
-    def _fly(self) -> None:
-        """Checks that keys move the camera, that a drag turns it, and that the page reads an edited parameter file."""
-        run = self.browser.run
-        run("document.getElementById('viewer-canvas').focus()")
-        before = run("JSON.stringify(Viewer.camera())")
-        self.browser.call("Input.dispatchKeyEvent", type="keyDown", key="w", code="KeyW", text="w")
-        moved = self.browser.wait(f"JSON.stringify(Viewer.camera().eye) !== JSON.stringify({before}.eye)", 60)
-        self.browser.call("Input.dispatchKeyEvent", type="keyUp", key="w", code="KeyW")
-        self.expect(moved, "the key W moves the camera")
-        place = run(
-            "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect(); return [r.x + 99, r.y + 99]; })()"
-        )
-        for kind, by in (("mousePressed", 0), ("mouseMoved", 40), ("mouseReleased", 40)):
-            self.browser.call(
-                "Input.dispatchMouseEvent", type=kind, x=place[0] + by, y=place[1], button="left", buttons=1, clickCount=1
-            )
-        turned = self.browser.wait(f"JSON.stringify(Viewer.camera().forward) !== JSON.stringify({before}.forward)", 60)
-        self.expect(turned, "a drag turns the camera")
-        run("""(() => { const t = document.getElementById('viewer-dat'); t.value = t.value.replace(/(# field of view\\n).*/, '$11.25');
-                        document.getElementById('viewer-go').click(); })()""")
-        self.expect(run("Viewer.camera().field") == 1.25, "a parameter file is read back")
-        run(
-            """(() => { const s = document.querySelector('[data-parameter]'); s.value = s.max; s.dispatchEvent(new Event('input')); })()"""
-        )
-        self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
-        self.shot("viewer")
-        with Image.open(self.pictures / "viewer.png") as seen:
-            place = run(
-                "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect();"
-                "return [r.left, Math.max(0, r.top), r.right, Math.min(innerHeight, r.bottom)]; })()"
-            )
-            colours = seen.convert("RGB").crop(tuple(map(round, place))).getcolors(2**24) or []
-        self.expect(len(colours) > 100, f"the screen shows the viewer's picture: {len(colours)} colours")
-        self.browser.size(*NARROW)
-        run("document.getElementById('viewer-live').scrollIntoView()")
-        self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
-        self.shot("viewer-narrow")
-        self.browser.size(*DESKTOP)
-
-
-def without_webgl(page: Path, checker: Checker) -> None:
-    """Checks that the page reports a missing WebGL 2."""
-    with Browser("--disable-3d-apis") as browser:
-        browser.open(page)
-        checker.expect(
-            browser.run("!document.getElementById('viewer-none') || !document.getElementById('viewer-none').hidden"),
-            "without WebGL 2 the page reports that",
-        )
-
 
 BROKEN = """<!DOCTYPE html><title>broken</title><img src="http://127.0.0.1:9/none.png">
 <script>console.error("said"); throw new Error("thrown");</script>"""
@@ -340,14 +120,15 @@ def main() -> int:
     if not arguments.page.exists():
         raise InputError(f"{arguments.page}: file not found; make it with make report")
     with Browser() as browser:
-        checker = Checker(browser, arguments.pictures, arguments.programs.absolute())
+        checker = PageChecker(browser, arguments.pictures)
+        viewer = ViewerChecker(checker, arguments.programs.absolute())
         browser.size(*DESKTOP)
         browser.open(arguments.page)
         checker.page()
         checker.paper()
         checker.slider()
-        checker.viewer()
-        checker.elsewhere(arguments.page)
+        viewer.here()
+        viewer.elsewhere(arguments.page)
         problems = browser.problems()
         checker.expect(
             not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
