@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# report_test.sh SOURCE NAME: runs one of the report's tests (front, models, report). Exits with 77 if the report's
-# Python packages, which `make python` installs, are missing.
+# report_test.sh SOURCE NAME: runs one of the report's tests (front, models, parts, report). Exits with 77 if the
+# report's Python packages, which `make python` installs, are missing.
 set -euo pipefail
 cd "$1"
 python=build/venv/bin/python3

@@ -21,9 +21,9 @@ ALLOWED = {
     "bench/study/views.cpp": "scenes of the studies, with defaults for other fractals",
     "flight/path/measures.cpp": "measures of flights, with defaults for other fractals",
     "report/mandelreport/answers.py": "the two fractals that the front page compares",
-    "report/mandelreport/viewer_check.py": "odd parameters, which the viewer is tried at",
     "report/mandelreport/pictures.py": "the two scenes that the report shows",
     "report/mandelreport/sections/why.py": "the two fractals of that question",
+    "report/mandelreport/viewer_check.py": "odd parameters, which the viewer is tried at",
 }
 
 
