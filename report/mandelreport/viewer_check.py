@@ -15,7 +15,7 @@ from PIL import Image
 from .browser import Browser
 from .checker import DESKTOP, NARROW, Checker
 from .errors import write_whole
-from .viewer import VIEWS, differing_fields
+from .viewer import differing_fields, views
 
 VIEWER_SECONDS = 300  # per picture, on a processor
 SAVE_SECONDS = 30
@@ -54,7 +54,7 @@ class ViewerChecker:
             return
         self.expect(run("document.getElementById('viewer-none').hidden"), "the viewer runs in WebGL 2")
         run("document.getElementById('viewer-canvas').scrollIntoView()")
-        for fractal in run("[...document.getElementById('viewer-fractal').options].map((o) => o.value)"):
+        for fractal in self._fractals():
             for number, odd in enumerate([{}, *ODD.get(fractal, [])]):
                 for mode in ("exact", "fast"):
                     self._choose("viewer-fractal", fractal)
@@ -73,6 +73,9 @@ class ViewerChecker:
                         self._against_render(fractal, mode, f"viewer-{fractal}-{mode}{f'-{number}' if odd else ''}")
         self._fly()
         self._views()
+
+    def _fractals(self) -> list[str]:
+        return self.browser.run("[...document.getElementById('viewer-fractal').options].map((o) => o.value)")
 
     def _slide(self, parameter: str, value: float) -> None:
         self.browser.run(f"""(() => {{ const s = document.querySelector('[data-parameter="{parameter}"]');
@@ -122,7 +125,7 @@ class ViewerChecker:
         """Checks that the buttons show the views, that the page's address contains the view, and that the picture can
         be saved."""
         run = self.browser.run
-        files = {file.name.split(".")[0]: file.read_text(encoding="utf-8") for file in VIEWS.glob("*.*.dat")}
+        files = {view["name"]: view["dat"] for view in views(self._fractals())}
         names = run("[...document.querySelectorAll('[data-view]')].map((button) => button.textContent.toLowerCase())")
         self.expect(sorted(names) == sorted(files), f"buttons for the views: {', '.join(names)}")
         run("document.getElementById('viewer-canvas').scrollIntoView()")
