@@ -45,16 +45,23 @@ function(mandelmarch_sibling preset cost)
     set_tests_properties(build.${preset} PROPERTIES FIXTURES_SETUP ${preset} RESOURCE_LOCK build TIMEOUT 2400 COST ${cost}
         WORKING_DIRECTORY ${source})
 endfunction()
-# Adds four builds: with clang, the programs whose pictures are compared with this build's; with each of two sanitizers,
+# Adds four builds: with clang, the program whose pictures are compared with this build's; with each of two sanitizers,
 # the programs to test; and the programs and tests for every fractal, with tests/fractals/sierpinski as the only
 # fractal.
-mandelmarch_sibling(clang 1 mandelbulb mandelbox imgdiff)
+mandelmarch_sibling(clang 1 render)
 mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
 mandelmarch_sibling(tsan 2 same_bits_test race_twin)
 mandelmarch_sibling(fractal 3 bench render flythrough imgdiff every_fractal_test equivalence_test)
 set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
 mandelmarch_script(same_bits.compilers siblings/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
 set_tests_properties(same_bits.compilers PROPERTIES FIXTURES_REQUIRED clang WORKING_DIRECTORY ${source})
+find_program(MANDELMARCH_MMDEBSTRAP mmdebstrap)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND (MANDELMARCH_MMDEBSTRAP OR DEFINED ENV{CI}))
+    foreach(arch arm64 riscv64 s390x)
+        mandelmarch_script(same_bits.${arch} siblings/cross.sh WIDE ARGUMENTS ${bin} ${arch})
+        set_tests_properties(same_bits.${arch} PROPERTIES RESOURCE_LOCK build TIMEOUT 2400 WORKING_DIRECTORY ${source})
+    endforeach()
+endif()
 foreach(preset asan tsan)
     mandelmarch_test(suite.${preset} WIDE COMMAND ${CMAKE_CTEST_COMMAND} --preset ${preset})
     set_tests_properties(suite.${preset} PROPERTIES FIXTURES_REQUIRED ${preset} TIMEOUT 2400 WORKING_DIRECTORY ${source})
