@@ -2,6 +2,7 @@
 #include "flight/film/title.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <ft2build.h>
 #include FT_FREETYPE_H
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Path files: JSON with one line per frame, for editing by hand.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
