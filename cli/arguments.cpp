@@ -66,6 +66,7 @@ std::vector<std::string> with_new_names(int argc, char** argv)
 
 std::optional<int> parse_arguments(CLI::App& app, const std::string& program, int argc, char** argv)
 {
+    app.name(program);  // for the line "Usage" of the help text
     std::vector<std::string> words = with_new_names(argc, argv);
     std::ranges::reverse(words);  // CLI11 parses a vector from its end
     try {

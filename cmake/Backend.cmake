@@ -22,11 +22,14 @@ function(mandelmarch_kernel_build source)
     endif()
 endfunction()
 
-# mandelmarch_find_dependency(ARGUMENT...): adds find_dependency(ARGUMENT...) to the installed package, because users
-# of the backend need this dependency.
+# mandelmarch_find_dependency(ARGUMENT... [PKG_CONFIG WORD]): adds find_dependency(ARGUMENT...) to the installed
+# package, because users of the backend need this dependency. WORD: its name in pkg-config or, if it has none, a linker
+# option or the path of a library.
 function(mandelmarch_find_dependency)
-    list(JOIN ARGN " " words)
+    cmake_parse_arguments(PARSE_ARGV 0 with "" "PKG_CONFIG" "")
+    list(JOIN with_UNPARSED_ARGUMENTS " " words)
     set_property(GLOBAL APPEND PROPERTY MANDELMARCH_DEPENDENCIES "find_dependency(${words})")
+    set_property(GLOBAL APPEND PROPERTY MANDELMARCH_PKG_CONFIG ${with_PKG_CONFIG})
 endfunction()
 
 # mandelmarch_registry(TARGET NAME...): adds the library TARGET. It defines all_backends() (backends/all.h), which

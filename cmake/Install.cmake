@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs the programs with their manual pages and the official parameter files, and the libraries with their headers
-# as the package mandelmarch: find_package(mandelmarch), target_link_libraries(x mandelmarch::backends).
+# as the package mandelmarch: find_package(mandelmarch), target_link_libraries(x mandelmarch::backends); or, without
+# CMake, pkg-config --cflags --libs mandelmarch.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(programs mandelbulb mandelbox render imgdiff flythrough)
@@ -12,14 +13,20 @@ endforeach()
 install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES paramsBulb.dat paramsBox.dat paramsJulia.dat DESTINATION ${CMAKE_INSTALL_DATADIR}/mandelmarch)
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# Manual pages are made from the help texts, if help2man is installed.
+# Manual pages are made from the help texts, if help2man is installed. A help text begins with "PROGRAM: ", and a
+# description of the program.
 find_program(help2man help2man)
 mark_as_advanced(help2man)
 if(help2man AND NOT CMAKE_CROSSCOMPILING)
     file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/man)
     foreach(program ${programs})
         set(page ${CMAKE_CURRENT_BINARY_DIR}/man/${program}.1)
-        install(CODE "execute_process(COMMAND \"${help2man}\" --no-info --output \"${page}\" \"$<TARGET_FILE:${program}>\")")
+        install(CODE "
+            set(program \"$<TARGET_FILE:${program}>\")
+            execute_process(COMMAND \"\${program}\" --help OUTPUT_VARIABLE help)
+            string(REGEX MATCH \"^[^:]*: ([^\n]*)[.]\n\" line \"\${help}\")
+            execute_process(COMMAND \"${help2man}\" --no-info --name \"\${CMAKE_MATCH_1}\"
+                --version-string ${PROJECT_VERSION} --output \"${page}\" \"\${program}\")")
         install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
     endforeach()
 endif()
@@ -38,3 +45,19 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/mandelmarchConfig.cmake.
 write_basic_package_version_file(mandelmarchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mandelmarchConfig.cmake ${PROJECT_BINARY_DIR}/mandelmarchConfigVersion.cmake
     DESTINATION ${package_folder})
+# mandelmarch.pc names libraries and headers relative to its own folder, so that an installation can be moved.
+list(TRANSFORM MANDELMARCH_BUILT PREPEND -lmandelmarch_ OUTPUT_VARIABLE libraries)
+get_property(words GLOBAL PROPERTY MANDELMARCH_PKG_CONFIG)
+set(packages ${words})
+list(FILTER packages INCLUDE REGEX "^[A-Za-z]")
+list(FILTER words EXCLUDE REGEX "^[A-Za-z]")
+foreach(target ${backend_targets})
+    list(APPEND words "$<JOIN:$<TARGET_PROPERTY:${target},INTERFACE_LINK_OPTIONS>, >")
+endforeach()
+foreach(list libraries packages words)
+    list(JOIN ${list} " " ${list})
+endforeach()
+file(RELATIVE_PATH include ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_FULL_INCLUDEDIR}/mandelmarch)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/mandelmarch.pc.in mandelmarch.pc.in @ONLY)
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/mandelmarch.pc INPUT ${PROJECT_BINARY_DIR}/mandelmarch.pc.in)
+install(FILES ${PROJECT_BINARY_DIR}/mandelmarch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
