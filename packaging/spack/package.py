@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
+# A recipe for Spack. Copy it to packages/mandelmarch in a repository of yours, and run in a checkout:
+#     spack dev-build mandelmarch@0.1.0
 from spack_repo.builtin.build_systems.cmake import CMakePackage
 
 from spack.package import *
