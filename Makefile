@@ -119,9 +119,8 @@ video: flythrough ## a four-minute film: video.mp4; FRACTAL=box SEED=7 FRAMES=72
 	    --summary video-summary.json --output video.mp4
 
 video-preview: flythrough ## ten seconds from the middle of a four-minute film, in 640x360: video-preview.mp4 (1 min, estimated)
-	bin/flythrough plan video-preview-path.json --fractal $(FRACTAL) --seed $(SEED)
-	bin/flythrough render video-preview-path.json --frames 3450-3749 --size 640x360 --title "$(TITLE)" \
-	    --authors "$(AUTHORS)" --output video-preview.mp4
+	bin/flythrough film video-preview-path.json --fractal $(FRACTAL) --seed $(SEED) --from 115 --to 125 \
+	    --size 640x360 --title "$(TITLE)" --authors "$(AUTHORS)" --output video-preview.mp4
 
 contact-sheet: ## frames of video.mp4, its summary and its audit, for the report (10 s, estimated)
 	ffmpeg -v error -y -ss 2 -i video.mp4 -vf "select='isnan(prev_selected_t)+gte(t-prev_selected_t\,10)',scale=320:-2,tile=5x5" \

@@ -13,17 +13,14 @@
 
 #include "cli/backend_option.h"
 #include "apps/flythrough_options.h"
+#include "apps/flythrough_plan.h"
 #include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/output_file.h"
-#include "core/base/text.h"
-#include "core/scene/fractal.h"
-#include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
-#include "flight/field/field.h"
 #include "flight/plan/map.h"
 #include "flight/film/encoder.h"
 #include "flight/film/film.h"
@@ -37,64 +34,6 @@ namespace {
 using namespace mandelmarch;
 
 constexpr std::size_t long_flight = 20'000;  // frames; a message announces the audit of a longer flight
-
-// Returns the scene to fly through: that of the parameter file or, without one, the official scene. The scene's camera
-// is not used. `warns`: true to print warnings about the file.
-Scene scene_of(const Flythrough& options, bool warns = false)
-{
-    const Fractal& fractal = fractal_named(options.fractal);
-    Scene scene = official_scene(fractal, 16, 9);
-    if (!options.parameters.empty()) {
-        const ParameterFile file = read_parameters(options.parameters, fractal);
-        if (warns) {
-            for (const std::string& warning : file.warnings) say("{}\n", printable(warning));
-        }
-        scene = file.scene;
-    }
-    scene.colouring = options.look.value_or(default_look);
-    scene.conservative = options.conservative;
-    return scene;
-}
-
-// Throws InputError if the scene's shape cannot be flown through.
-void check_shape(const Flythrough& options, const Scene& scene)
-{
-    const std::string objection = flight_objection(scene);
-    if (objection.empty()) return;
-    throw InputError(options.parameters.empty() ? objection : fmt::format("{}: {}", options.parameters, objection));
-}
-
-// Prints the first line of the planner's message to stderr. The other lines, a table of the tour's audit, are left out.
-void log_plan(const std::string& text) { say("plan: {}\n", text.substr(0, text.find('\n'))); }
-
-// Returns the number of frames to plan. Flights are planned at frames_per_second and then converted to --fps.
-int planned_frames(const Flythrough& options)
-{
-    return std::max(2, frames_at_rate(options.frames, frames_per_second, options.rate));
-}
-
-// Returns the schedule by which the fractal changes in flight, from --power or --scale. Throws InputError if the shape
-// cannot be flown through.
-Schedule schedule_of(const Flythrough& options)
-{
-    if (!options.power.empty() && !options.scale.empty()) {
-        throw InputError("--power, --scale: both are given, expected the one that the fractal has");
-    }
-    const Scene scene = scene_of(options);
-    const int frames = planned_frames(options);
-    if (!options.power.empty()) return parse_schedule("power", options.power, scene, frames);
-    if (!options.scale.empty()) return parse_schedule("scale", options.scale, scene, frames);
-    check_shape(options, scene);
-    return {};
-}
-
-Plan make_plan(const Flythrough& options)
-{
-    Plan made =
-        plan(scene_of(options), schedule_of(options), options.seed, planned_frames(options), options.threads, log_plan);
-    made.path = at_rate(made.path, options.frames, options.rate);
-    return made;
-}
 
 void tell_audit(const Path& path)
 {
@@ -145,8 +84,7 @@ void check_outputs(const Flythrough& options)
         if (!file.path.empty()) OutputFile::check(file.path);
     }
     if (options.reads_path()) return;
-    static_cast<void>(scene_of(options, true));
-    schedule_of(options);
+    check_plan(options);
 }
 
 int plan_command(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
@@ -199,11 +137,14 @@ StillOptions still_options(const Flythrough& options, const RendererOptions& ren
     return {options.stills, options.jpeg, options.every, options.picture(), renderer, options.segments, options.chosen};
 }
 
+// Returns true if the path that is rendered is the whole path, of which the film or the stills show the chosen frames.
+bool rendered_whole(const Flythrough& options) { return !options.stills.empty() || options.every == 1; }
+
 // Returns the path that is rendered: the whole path or, for a film with --every N, every N-th of the chosen frames.
 // Throws InputError if the path does not have all chosen frames.
 Path rendered_path(Path path, const Flythrough& options)
 {
-    if (!options.stills.empty() || options.every == 1) return path;
+    if (rendered_whole(options)) return path;
     const auto [first, last] = chosen_frames(options.chosen, path.frames.size());
     std::vector<Frame> kept;
     for (std::size_t at = first; at <= last; at += options.every) kept.push_back(path.frames[at]);
@@ -233,12 +174,19 @@ void check_pictures(const Flythrough& options, const RendererOptions& renderer, 
     }
 }
 
-// Plans or reads the path and returns it as text. Called on rank 0 only.
-std::string path_text(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
+// Chooses the frames of the options' part of a path.
+void choose_part(const Path& path, Flythrough& options)
+{
+    if (!options.part.whole()) options.chosen = frames_of(path, options.part, options.threads);
+}
+
+// Plans or reads the path and returns it as text. Chooses the frames of the options' part. Called on rank 0 only.
+std::string path_text(Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
     if (options.stills.empty()) check_ffmpeg(container_of(options.output));
     if (options.reads_path()) {
         const Path path = read_path(options.path);
+        choose_part(path, options);
         const Path rendered = rendered_path(path, options);
         check_pictures(options, renderer, rendered.frames.size(), path.frames_per_second);
         refuse_broken(path, options);
@@ -250,6 +198,7 @@ std::string path_text(const Flythrough& options, const Backend& backend, const R
     if (!options.path.empty()) write_file(options.path, to_text(made.path));
     write_map(options, made);
     show_audit(options, made.path, made.seconds, backend, renderer);
+    choose_part(made.path, options);
     return to_text(rendered_path(made.path, options));
 }
 
@@ -273,7 +222,7 @@ int render(const Flythrough& options, const Path& path, const Backend& backend, 
     return exit_success;
 }
 
-int run(const Registry& registry, const Flythrough& options)
+int run(const Registry& registry, Flythrough options)
 {
     if (options.command == Command::plan || options.command == Command::audit) {
         check_outputs(options);
@@ -292,6 +241,8 @@ int run(const Registry& registry, const Flythrough& options)
         static_cast<void>(backend.create(renderer));
         const std::string text = ranks->share(ranks->rank() == 0 ? path_text(options, backend, renderer) : "");
         const Path path = path_from_text(text, options.path.empty() ? "the path" : options.path);
+        // With --every, rank 0 has shared the chosen frames alone.
+        if (ranks->rank() != 0 && rendered_whole(options)) choose_part(path, options);
         return render(options, path, backend, renderer, *ranks);
     } catch (const std::exception&) {
         if (ranks->size() == 1) throw;

@@ -78,11 +78,20 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
         " (A), or a change of it: A:B (from the first frame to the last) or 0s=A,60s=B (at these seconds)";
     app.add_option("--power", options.power, "plan, film: the Mandelbulb's power" + changing);
     app.add_option("--scale", options.scale, "plan, film: the Mandelbox's scale" + changing);
+    app.add_option("--places", options.places, "plan, film: table of places to visit (docs/make-a-film.md)");
     add_estimate_option(app, options.conservative);
     app.add_option_function<std::string>(
         "--frames", [&](const std::string& text) { given.frames = frames_option(text); },
         "plan, film: number of frames, without the title (default: 4 minutes); render, preview: only frames A-B (from "
         "0)");
+    app.add_option("--from", options.part.from, "film, render, preview: only the flight from this second on")
+        ->check(real(0, most_frames));
+    app.add_option("--to", options.part.to, "film, render, preview: only the flight up to this second")
+        ->check(real(0, most_frames));
+    add_choice(app, "--chapter", options.part.chapter,
+               {{"approach", Chapter::approach}, {"passages", Chapter::passages}, {"out", Chapter::out}},
+               "film, render, preview: only the flight before, from, or after its narrow places; --from and --to then "
+               "count from the chapter's beginning");
     app.add_option("--fps", given.rate, "plan, film: frames per second, recorded in the path file (default 30)")
         ->check(whole(1, most_frames_per_second));
     app.add_option_function<std::string>(
@@ -169,6 +178,7 @@ void set_frames(const Given& given, Flythrough& options)
                                      name_of(options.command)));
     }
     if (!given.frames) return;
+    if (!options.part.whole()) throw InputError("--frames: cannot be combined with --from, --to or --chapter");
     if (options.command == Command::audit) throw InputError("--frames: not supported by audit, which uses all frames");
     const auto* const range = std::get_if<Range>(&*given.frames);
     if (range == nullptr) {
@@ -193,7 +203,8 @@ std::vector<NamedFile> Flythrough::written() const
 
 std::vector<NamedFile> Flythrough::read() const
 {
-    return {reads_path() ? NamedFile{"PATH", path} : NamedFile{"--params", parameters}};
+    if (reads_path()) return {{"PATH", path}};
+    return {{"--params", parameters}, {"--places", places}};
 }
 
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done)
@@ -219,11 +230,21 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
         throw InputError(fmt::format("--{}: {} takes the shape from the path file, expected plan or film",
                                      options.power.empty() ? "scale" : "power", name_of(options.command)));
     }
+    if (reads && !options.places.empty()) {
+        throw InputError(fmt::format("--places: {} renders the path file's flight, expected plan or film",
+                                     name_of(options.command)));
+    }
+    if (!options.part.whole() && (options.command == Command::plan || options.command == Command::audit)) {
+        throw InputError(
+            fmt::format("--from, --to, --chapter: {} uses the whole flight, expected film, render or preview",
+                        name_of(options.command)));
+    }
     if (!options.stills.empty() && !options.summary.empty()) {
         throw InputError("--summary: cannot be combined with --stills (it describes a film)");
     }
     options.path = reads ? input_name(options.path) : output_name(options.path);
     options.parameters = input_name(options.parameters);
+    options.places = input_name(options.places);
     for (std::string* file : {&options.output, &options.json, &options.map, &options.summary})
         *file = output_name(*file);
     if (options.output.empty()) {

@@ -11,6 +11,7 @@
 #include "core/base/files.h"
 #include "core/render/registry.h"
 #include "core/scene/fractal.h"
+#include "flight/audit/chapters.h"
 #include "flight/film/film.h"
 
 namespace mandelmarch {
@@ -21,11 +22,13 @@ struct Flythrough {
     Command command = Command::film;
     std::string path;        // a path file: read by render, preview and audit, written by film
     std::string parameters;  // a parameter file with the fractal
+    std::string places;      // plan, film: a places file
     std::string fractal{fractals().front().name};
     std::uint64_t seed = 1;
     int frames = 7200;             // plan, film: length of the flight
     int rate = frames_per_second;  // plan, film: frames per second
     std::optional<Range> chosen;   // render, preview: only these frames of the path
+    Part part;                     // film, render, preview: only this part of the path
     int width = 1920, height = 1080;
     double samples = 1;
     Projection projection = Projection::perspective;

@@ -4,6 +4,10 @@
 
 blender --python tools/blender_path.py -- load PATH.json                # make a camera with one keyframe per frame
 blender FILE.blend --python tools/blender_path.py -- save PATH.json NEW.json   # PATH.json with the scene's camera
+blender FILE.blend --python tools/blender_path.py -- places NEW.csv   # a places file: the camera at the scene's markers
+
+The places file has a line for each marker of the timeline: the camera at the marker's frame, and the marker's time. A
+marker with the name "tour" becomes a line "tour".
 
 Axes are not converted: if y is up in the path, y is up in Blender, too. Blender's camera looks along the camera's own
 -z axis, and the camera's y axis points to the picture's top. A field_of_view of 1 is a vertical angle of 65 degrees."""
@@ -12,6 +16,7 @@ import math
 import sys
 
 DEGREES_PER_FIELD = 65.0  # core/scene/scene.h
+PLACES_HEADER = "location_x,location_y,location_z,look_at_x,look_at_y,look_at_z,second,stay"  # flight/path/places.h
 
 
 def minus(a, b):
@@ -71,11 +76,30 @@ def save(bpy, path):
     return {**path, "frames": frames}
 
 
+def places(bpy):
+    """Returns the text of a places file."""
+    scene = bpy.context.scene
+    lines = [PLACES_HEADER]
+    for marker in sorted(scene.timeline_markers, key=lambda marker: marker.frame):
+        if marker.name == "tour":
+            lines.append("tour")
+            continue
+        scene.frame_set(marker.frame)
+        camera = camera_of(scene.camera.matrix_world)
+        second = (marker.frame - scene.frame_start) / (scene.render.fps / scene.render.fps_base)
+        lines.append(",".join(f"{value:.10g}" for value in camera["location"] + camera["look_at"] + [second]) + ",")
+    return "\n".join(lines) + "\n"
+
+
 def main(arguments):
     import bpy
     import mathutils
-    if len(arguments) not in (2, 3) or arguments[0] not in ("load", "save") or (arguments[0] == "save") != (len(arguments) == 3):
+    if [len(arguments), *arguments[:1]] not in ([2, "load"], [3, "save"], [2, "places"]):
         sys.exit(__doc__)
+    if arguments[0] == "places":
+        with open(arguments[1], "w", encoding="utf-8") as file:
+            file.write(places(bpy))
+        return
     with open(arguments[1], encoding="utf-8") as file:
         path = json.load(file)
     if arguments[0] == "load":

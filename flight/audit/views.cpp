@@ -34,12 +34,12 @@ Camera camera_at(const Frame& frame)
 }
 
 // A position in a view. Both coordinates run from -1 to 1 over the view's width and height.
-struct Place {
+struct ViewPoint {
     double u, v;
 };
 
 // Returns the centre of a pixel.
-Place place_of(int pixel)
+ViewPoint place_of(int pixel)
 {
     const int row = pixel / view_width;
     return {(2 * (pixel % view_width) + 1.0) / view_width - 1, (2 * row + 1.0) / view_height - 1};
@@ -74,7 +74,7 @@ Row longest_row(const char* name, double bar, const Seen& seen, std::size_t stri
 
 Vector direction_of(const Camera& camera, int pixel)
 {
-    const Place place = place_of(pixel);
+    const ViewPoint place = place_of(pixel);
     return unit(camera.forward + place.u * camera.across + place.v * camera.upward);
 }
 
@@ -128,8 +128,8 @@ double median_motion(std::span<const Vector> along, std::span<const float> depth
     // Projects a direction into the camera's picture.
     const auto place_in = [](const Camera& camera, Vector seen) {
         const double ahead = dot(seen, camera.forward);
-        return Place{dot(seen, camera.across) / (dot(camera.across, camera.across) * ahead),
-                     dot(seen, camera.upward) / (dot(camera.upward, camera.upward) * ahead)};
+        return ViewPoint{dot(seen, camera.across) / (dot(camera.across, camera.across) * ahead),
+                         dot(seen, camera.upward) / (dot(camera.upward, camera.upward) * ahead)};
     };
     std::vector<double> moved;
     for (std::size_t k = 0; k < along.size(); ++k) {

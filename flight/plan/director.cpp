@@ -28,6 +28,8 @@ constexpr double farthest_turn = 11.5 * degree;  // largest turn from one choice
 constexpr double most_aside = 50 * degree;       // angle between gaze and motion beyond which the cost rises steeply
 constexpr double off_motion = 0.5;               // cost of the angle most_aside between gaze and motion
 constexpr double too_far_off = 20;               // additional cost of twice that angle
+constexpr double off_stop = 200;                 // cost of the angle most_aside between gaze and a stop's direction
+constexpr double around_stop = 45;               // frames before and after a stop; the smoothing mixes them with it
 constexpr double turning = 0.6;                  // cost of a turn by farthest_turn
 
 // Thresholds for the contents of a view, tuned with ten seeds for each of two fractals.
@@ -79,6 +81,16 @@ const std::vector<std::vector<Turn>>& turns()
         return all;
     }();
     return made;
+}
+
+// Returns the stop whose stay is less than around_stop frames from the frame, or null. If there are two, returns the
+// closer one.
+const Stop* stop_near(std::span<const Stop> stops, std::size_t frame)
+{
+    const auto at = static_cast<double>(frame);
+    const auto away = [at](const Stop& stop) { return std::max({stop.arrives - at, at - stop.leaves, 0.0}); };
+    const auto nearest = std::ranges::min_element(stops, {}, away);
+    return nearest != stops.end() && away(*nearest) < around_stop ? &*nearest : nullptr;
 }
 
 // Returns a penalty that falls from 1 to 0 while `value` rises from `none` to `enough`.
@@ -219,7 +231,7 @@ double Director::motion(double sample, const Frame& from, const Frame& to) const
     return median_motion(along, hits, from, to);
 }
 
-std::vector<Vector> Director::gaze(const Trajectory& ride, int frames) const
+std::vector<Vector> Director::gaze(const Trajectory& ride, int frames, std::span<const Stop> stops) const
 {
     // Slots are the frames for which the gaze is chosen: every tenth frame, and the last frame.
     const std::size_t slots = (static_cast<std::size_t>(frames) + slot_frames - 2) / slot_frames + 1;
@@ -234,14 +246,17 @@ std::vector<Vector> Director::gaze(const Trajectory& ride, int frames) const
         const Vector soon = ahead(ride, frame, look_ahead);
         const Vector motion = ahead(ride, frame, 1);
         const auto costs = of_panorama(costs_, panorama_at(ride.sample[frame]));
+        const Stop* const stop = stop_near(stops, frame);
         std::vector<double> now(directions, infinite);
         for (int d = 0; d < directions; ++d) {
             const auto n = static_cast<std::size_t>(d);
             const Vector& direction = sphere().directions()[n];
             const double off = angle_of_units(direction, motion);
-            const double here = static_cast<double>(costs[n]) +
-                                off_motion * square(angle_of_units(direction, soon) / most_aside) +
-                                too_far_off * std::max(0.0, off / most_aside - 1);
+            const double here = stop != nullptr
+                                    ? off_stop * square(angle_of_units(direction, stop->along) / most_aside)
+                                    : static_cast<double>(costs[n]) +
+                                          off_motion * square(angle_of_units(direction, soon) / most_aside) +
+                                          too_far_off * std::max(0.0, off / most_aside - 1);
             if (slot == 0) {
                 now[n] = here;
                 continue;
@@ -268,7 +283,8 @@ std::vector<Vector> Director::gaze(const Trajectory& ride, int frames) const
         const std::size_t slot = std::min(i / slot_frames, slots - 2);
         const double share =
             static_cast<double>(i - frame_of(slot)) / static_cast<double>(frame_of(slot + 1) - frame_of(slot));
-        aims.push_back(unit((1 - share) * chosen[slot] + share * chosen[slot + 1]));
+        const Stop* const stop = stop_near(stops, i);
+        aims.push_back(stop != nullptr ? stop->along : unit((1 - share) * chosen[slot] + share * chosen[slot + 1]));
     }
     return aims;
 }

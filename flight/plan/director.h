@@ -44,8 +44,8 @@ public:
     // The trajectory should have look_ahead frames more than `frames`. The gaze at every tenth frame is chosen by
     // dynamic programming (Bellman) so that the sum of three costs is minimal: the cost of the direction, of its angle
     // to the motion, and of the turn. In between, the gaze is interpolated. The result is not smooth; see
-    // smoothed_gaze().
-    std::vector<Vector> gaze(const Trajectory& ride, int frames) const;
+    // smoothed_gaze(). Near a stop, the gaze follows the stop's direction alone.
+    std::vector<Vector> gaze(const Trajectory& ride, int frames, std::span<const Stop> stops = {}) const;
 
     // Returns the median motion of the picture's pixels from one frame to the next, in picture heights. It is computed
     // by median_motion() from the panorama closest to the camera. `sample`: the camera's position, as a fractional

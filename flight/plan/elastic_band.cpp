@@ -28,7 +28,7 @@ constexpr double clock_reach = 12.0;  // clearances; the shape time is averaged 
 // The band's points. `value`: the shape parameter at each point.
 struct Band {
     std::vector<Vector> at;
-    std::vector<char> pinned;
+    std::vector<Pin> pinned;
     std::vector<double> clock;
     std::vector<double> value;
     std::vector<double> clearance;
@@ -42,17 +42,17 @@ Band resampled(const Shapes& shapes, const Band& old)
     const double least = densest * shapes.field().bounds().size;
     const auto apart = [&](double clearance) { return spacing * std::clamp(clearance, least, most); };
     Band band;
-    const auto add = [&](Vector p, bool pin, double clearance, double clock, double value) {
+    const auto add = [&](Vector p, Pin pin, double clearance, double clock, double value) {
         band.at.push_back(p);
-        band.pinned.push_back(pin ? 1 : 0);
+        band.pinned.push_back(pin);
         band.clearance.push_back(clearance);
         band.clock.push_back(clock);
         band.value.push_back(value);
     };
-    const auto keep = [&](std::size_t i, bool pin) {
+    const auto keep = [&](std::size_t i, Pin pin) {
         add(old.at[i], pin, old.clearance[i], old.clock[i], old.value[i]);
     };
-    keep(0, old.pinned[0] != 0);
+    keep(0, old.pinned[0]);
     double left = apart(old.clearance[0]);
     for (std::size_t i = 1; i < old.at.size(); ++i) {
         const Vector from = old.at[i - 1];
@@ -63,17 +63,17 @@ Band resampled(const Shapes& shapes, const Band& old)
             const double share = done / whole;
             // The interpolated clearance only sets the spacing. The exact clearances are computed at the end.
             const double guess = (1 - share) * old.clearance[i - 1] + share * old.clearance[i];
-            add(from + share * (old.at[i] - from), false, guess, std::lerp(old.clock[i - 1], old.clock[i], share),
+            add(from + share * (old.at[i] - from), Pin::none, guess, std::lerp(old.clock[i - 1], old.clock[i], share),
                 std::lerp(old.value[i - 1], old.value[i], share));
             left = apart(guess);
         }
         left -= whole - done;
-        if (old.pinned[i] != 0) {
-            keep(i, true);
+        if (old.pinned[i] != Pin::none) {
+            keep(i, old.pinned[i]);
             left = apart(old.clearance[i]);
         }
     }
-    keep(old.at.size() - 1, false);
+    keep(old.at.size() - 1, Pin::none);
     shapes.distances(band.at, band.value, band.clearance);
     return band;
 }
@@ -92,7 +92,7 @@ void push_off(const Shapes& shapes, Band& band, bool pins)
     const double open = fastest_clearance(shapes.field().bounds());
     parallel(old.size(), 64, shapes.threads(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = std::max<std::size_t>(first, 1); i < std::min(last, old.size() - 1); ++i) {
-            if ((band.pinned[i] != 0 && !pins) || band.clearance[i] > open) continue;
+            if ((band.pinned[i] != Pin::none && !pins) || band.clearance[i] > open) continue;
             std::optional<DistanceField> room;
             const DistanceField& field = shapes.at(band.value[i], room);
             const Vector tangent = unit(old[i + 1] - old[i - 1]);
@@ -115,8 +115,8 @@ void relax(const Shapes& shapes, Band& band)
     std::vector<double> radius(home.size());
     for (std::size_t i = 0; i < home.size(); ++i) {
         const double most = 2 * fastest_clearance(shapes.field().bounds());
-        radius[i] =
-            (band.pinned[i] != 0 ? pin_freedom : freedom) * shapes.field().safety() * std::min(band.clearance[i], most);
+        const double share = band.pinned[i] == Pin::none ? freedom : band.pinned[i] == Pin::gate ? pin_freedom : 0;
+        radius[i] = share * shapes.field().safety() * std::min(band.clearance[i], most);
     }
     for (const int stride : strides) {
         for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -238,7 +238,11 @@ ControlPoints smooth(const Shapes& shapes, const Polyline& way, const Schedule& 
         take_back(shapes, band, home, least);
         band = resampled(shapes, band);
     }
-    return {std::move(band.at), std::move(band.clock)};
+    ControlPoints line{std::move(band.at), std::move(band.clock), {}};
+    for (std::size_t i = 0; i < band.pinned.size(); ++i) {
+        if (band.pinned[i] == Pin::place) line.places.push_back(i);
+    }
+    return line;
 }
 
 }  // namespace mandelmarch

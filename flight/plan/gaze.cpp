@@ -63,9 +63,9 @@ Vector ahead(const Trajectory& ride, std::size_t frame, std::size_t frames)
     return length(way) > 0 ? unit(way) : Vector{1, 0, 0};
 }
 
-std::vector<Vector> smoothed_gaze(const Trajectory& ride, std::vector<Vector> aims)
+std::vector<Vector> smoothed_gaze(const Trajectory& ride, std::vector<Vector> aims, bool from_outside)
 {
-    for (std::size_t i = 0; i < std::min(aims.size(), middle_until); ++i) {
+    for (std::size_t i = 0; from_outside && i < std::min(aims.size(), middle_until); ++i) {
         const double share =
             0.5 + 0.5 * std::cos(static_cast<double>(i) * std::numbers::pi / static_cast<double>(middle_until));
         const Vector aim = (1 - share) * aims[i] + share * unit(-1 * ride.at[i]);

@@ -17,8 +17,9 @@ inline constexpr int look_ahead = 48;  // frames (1.6 s); the gaze at a frame fo
 Vector ahead(const Trajectory& ride, std::size_t frame, std::size_t frames);
 
 // Returns the gaze smoothed in time. `aims`: the gaze before smoothing, a unit vector per frame. At the first frame the
-// camera looks at the fractal's centre; within three seconds the gaze changes to `aims`.
-std::vector<Vector> smoothed_gaze(const Trajectory& ride, std::vector<Vector> aims);
+// camera looks at the fractal's centre; within three seconds the gaze changes to `aims`. `from_outside`: false if the
+// gaze is `aims` from the first frame.
+std::vector<Vector> smoothed_gaze(const Trajectory& ride, std::vector<Vector> aims, bool from_outside = true);
 
 // Limits turns of the gaze to `most` degrees per frame.
 void limit_turns(std::vector<Vector>& gaze, double most);

@@ -17,6 +17,7 @@
 #include "flight/plan/gaze.h"
 #include "flight/plan/trajectory.h"
 #include "flight/plan/roadmap.h"
+#include "flight/plan/visits.h"
 
 namespace mandelmarch {
 namespace {
@@ -44,8 +45,9 @@ constexpr int view_stride = 10;  // frames between the views whose motion sets t
 class Planner {
 public:
     Planner(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads,
-            const Budget& budget)
+            const Budget& budget, const Places& places)
         : schedule_(schedule),
+          places_(places),
           shapes_(scene, schedule.number(), threads, &budget),
           measures_(flight_measures(*scene.fractal)),
           seed_(seed),
@@ -57,8 +59,14 @@ public:
 
     const RoadmapSet& atlas() const { return atlas_; }
 
-    // Plans tour number `number` and returns its path. The path is empty if the tour is too short. If the shape
-    // changes, the path is also empty if the camera cannot keep to the schedule.
+    // Finds the places in the free space. Called before attempt(). Throws InputError as visits_of() does.
+    void find_places() { visits_ = visits_of(places_, atlas_.stretches(frames_).front(), least_clearance * size_); }
+
+    // Returns a message about the place that the last tour missed; "" if it missed none.
+    const std::string& missed() const { return missed_; }
+
+    // Plans tour number `number` and returns its path. The path is empty if the tour is too short, if the camera misses
+    // a place or, if the shape changes, if the camera cannot keep to the schedule.
     Path attempt(int number)
     {
         FlightRandom random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
@@ -68,13 +76,15 @@ public:
             length.frames_a_clearance = 1 / (measures_.pace * share_);
             length.clock = frames_ + 4 * look_ahead;
         } else {
-            length.cost = 1.2 * measures_.pace * frames_ + 60;
+            // After the last place, a tour of one gate is long enough.
+            length.cost = visits_.empty() || places_.tour_after ? 1.2 * measures_.pace * frames_ + 60 : 0;
         }
+        give_gates(visits_, places_, measures_.pace * share_);
         const std::function<bool(const Polyline&)> fine = [this](const Polyline& part) {
             return least_on(shapes_, part, schedule_, atlas_.step()) > least_clearance * size_;
         };
         const Tour tour = make_tour(atlas_.stretches(frames_), length, random,
-                                    schedule_.changes() ? fine : std::function<bool(const Polyline&)>{});
+                                    schedule_.changes() ? fine : std::function<bool(const Polyline&)>{}, visits_);
         if (schedule_.changes() && tour.clock < length.clock) return {};
         Curve track =
             track_of(shapes_, schedule_, smooth(shapes_, tour.way, schedule_, atlas_.step(), least_clearance * size_));
@@ -89,6 +99,7 @@ private:
         const int needed = frames_ + look_ahead;
         const Director director(shapes_, track);
         const Bounds& bounds = shapes_.field().bounds();
+        std::vector<Stop> stops = stops_of(bounds, track, places_, visits_);
         std::vector<Vector> views;
         Trajectory now;
         double off = 0;
@@ -97,21 +108,26 @@ private:
                 Timed timed = ride_in_time(bounds, track, measures_.pace, frames_, schedule_);
                 now = std::move(timed.ride);
                 off = timed.off;
+            } else if (!stops.empty()) {
+                now = ride_to_stops(bounds, track, measures_.pace, frames_, stops).ride;
             } else {
                 now = ride(bounds, track, measures_.pace, needed);
             }
             // If the trajectory has too few frames in the first rounds, it may have enough in later ones, which slow
             // the camera down in bends.
-            const int flown = std::min(frames_, static_cast<int>(now.at.size()));
-            if (flown < frames_ / 4 || (flown < frames_ && round > 2)) return {};
-            views = smoothed_gaze(now, director.gaze(now, flown));
+            const int wanted = frames_until(stops);
+            const int flown = std::min(wanted, static_cast<int>(now.at.size()));
+            if (flown < wanted / 4 || (flown < wanted && round > 2)) return {};
+            views = smoothed_gaze(now, director.gaze(now, flown, stops), visits_.empty() || !visits_.front().starts);
+            hold_gaze(views, stops);
             if (round + 1 == retimings) break;
             keep_moving(track, now, views, director);
             slow_turns(track, now, views);
         }
-        if (schedule_.changes()) learn(track, now);
+        if (schedule_.changes() || !stops.empty()) learn(track, now);
         if (off > most_off) return {};
         limit_turns(views, turn_limit);
+        if (missed_ = missed_stop(places_, stops, views); !missed_.empty()) return {};
         Path path;
         path.scene = shapes_.field().scene();
         path.seed = seed_;
@@ -120,6 +136,13 @@ private:
         if (schedule_.changes()) change(path, track, now);
         cut_digits(path);
         return path;
+    }
+
+    // Returns the number of frames of a flight with these stops.
+    int frames_until(const std::vector<Stop>& stops) const
+    {
+        if (stops.empty() || places_.tour_after) return frames_;
+        return std::clamp(static_cast<int>(std::ceil(stops.back().leaves)) + 1, 2, frames_);
     }
 
     // Updates share_, with which the next tour's shape time is computed, from the mean speed factor of this trajectory.
@@ -176,12 +199,15 @@ private:
     static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
 
     Schedule schedule_;
+    const Places& places_;
     Shapes shapes_;
     FlightMeasures measures_;
     std::uint64_t seed_;
     int frames_;
     double size_;
     RoadmapSet atlas_;
+    std::vector<Visit> visits_;
+    std::string missed_;
     double share_ = first_share;  // expected mean speed of the next tour, as a fraction of the pace
 };
 
@@ -197,20 +223,6 @@ double faults(const Audit& audit)
     return sum;
 }
 
-// Throws InputError if the roadmaps have no free space or, unless the shape changes, no gates.
-void check_roads(const RoadmapSet& atlas, const Scene& scene, const Schedule& schedule)
-{
-    const auto fail = [&](const char* missing) {
-        constexpr int few_iterations = 8;
-        throw InputError(fmt::format(
-            "plan: this {} has {}; another seed does not help, expected another shape{}", scene.fractal->name, missing,
-            scene.iterations < few_iterations ? fmt::format(" or more iterations than {}", scene.iterations) : ""));
-    };
-    if (!atlas.has_space()) fail("no free space that a camera can reach (no balls)");
-    // If the shape changes, tours lead through wide places, too, and gates are not needed.
-    if (atlas.gates().empty() && !schedule.changes()) fail("no narrow places to fly through (no gates)");
-}
-
 // Returns the names of the broken promises.
 std::string broken(const Audit& audit)
 {
@@ -224,7 +236,7 @@ std::string broken(const Audit& audit)
 }  // namespace
 
 Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads, const Log& log,
-          double most_seconds)
+          double most_seconds, const Places& places)
 {
     const auto start = Clock::now();
     const auto seconds = [&] { return seconds_since(start); };
@@ -235,12 +247,17 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     if (!schedule.knots().empty()) first.shape[schedule.number()] = schedule.value(0);
     if (const std::string objection = flight_objection(first); !objection.empty()) throw InputError(objection);
     const Budget budget(most_seconds > 0 ? most_seconds : usual_seconds + seconds_a_frame * frames);
-    Planner planner(first, schedule, seed, frames, threads, budget);
+    if (schedule.changes() && !places.all.empty()) {
+        throw InputError(fmt::format("{}: the shape changes in flight, expected a constant shape", places.file));
+    }
+    Planner planner(first, schedule, seed, frames, threads, budget, places);
     say(fmt::format("{} balls, {} gates{}", planner.atlas().balls().size(), planner.atlas().gates().size(),
                     planner.atlas().shapes() > 1 ? fmt::format(" of {} shapes", planner.atlas().shapes()) : ""));
-    check_roads(planner.atlas(), first, schedule);
+    planner.atlas().check(first);
+    planner.find_places();
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 12;
+    constexpr int most_missed = 6;  // tours that miss a place, if no tour has visited all places
     Plan best;
     double least = 1e300;
     std::string promises;
@@ -249,7 +266,10 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
         Path path = planner.attempt(number);
         ++best.attempts;
         if (path.frames.empty()) {
-            say(fmt::format("tour {}: too short{}", number, schedule.changes() ? ", or not in time" : ""));
+            say(planner.missed().empty()
+                    ? fmt::format("tour {}: too short{}", number, schedule.changes() ? ", or not in time" : "")
+                    : fmt::format("tour {}: {}", number, planner.missed()));
+            if (!planner.missed().empty() && best.path.frames.empty() && number + 1 >= most_missed) break;
             continue;
         }
         const Audit result = audit(path, threads, 0, audit_stride);
@@ -267,6 +287,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     best.balls = planner.atlas().balls();
     best.gates = planner.atlas().gates();
     if (best.path.frames.empty()) {
+        if (!planner.missed().empty()) throw InputError(planner.missed());
         throw Error(
             fmt::format("plan: no tour of seed {} is long enough for {} frames among {} gates, expected fewer "
                         "frames, another seed or a shape with more gates",

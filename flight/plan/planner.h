@@ -8,6 +8,7 @@
 
 #include "core/scene/scene.h"
 #include "flight/path/path.h"
+#include "flight/path/places.h"
 #include "flight/plan/balls.h"
 #include "flight/plan/schedule.h"
 
@@ -28,7 +29,10 @@ using Log = std::function<void(const std::string&)>;
 // for as many as the process may use. `most_seconds`: limit on the processor time; 0: a limit that grows with the
 // frames. Throws InputError if the shape cannot be flown through, if it has no free space or (unless it changes) no
 // gates, or if the limit is exceeded. Throws Error if no tour is long enough, or none keeps the promises.
+// `places`: places that the flight visits. Unless a tour follows the last place, the flight ends there, and `frames` is
+// its largest length. Throws InputError with the name of the places file and the line if the shape changes, if a place
+// cannot be reached or seen, or if no flight is in time.
 Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads,
-          const Log& log = {}, double most_seconds = 0);
+          const Log& log = {}, double most_seconds = 0, const Places& places = {});
 
 }  // namespace mandelmarch

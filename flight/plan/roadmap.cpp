@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/plan/roadmap.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "core/base/error.h"
 #include "core/base/quantile.h"
 #include "core/scene/fractal.h"
 #include "flight/path/measures.h"
@@ -123,6 +126,19 @@ bool RoadmapSet::has_space() const
             return roads.field.bounds().contains(ball.centre) && roads.balls.holding(ball.centre) >= 0;
         });
     });
+}
+
+void RoadmapSet::check(const Scene& scene) const
+{
+    const auto fail = [&](const char* missing) {
+        constexpr int few_iterations = 8;
+        throw InputError(fmt::format(
+            "plan: this {} has {}; another seed does not help, expected another shape{}", scene.fractal->name, missing,
+            scene.iterations < few_iterations ? fmt::format(" or more iterations than {}", scene.iterations) : ""));
+    };
+    if (!has_space()) fail("no free space that a camera can reach (no balls)");
+    // If the shape changes, tours lead through wide places, too, and gates are not needed.
+    if (gates().empty() && !schedule_.changes()) fail("no narrow places to fly through (no gates)");
 }
 
 std::vector<Ball> RoadmapSet::balls() const

@@ -51,14 +51,16 @@ public:
     std::size_t shapes() const { return roads_.size(); }
     double step() const { return step_; }  // from one value of the shape parameter to the next
 
-    // Returns true if every roadmap has a ball inside the fractal's bounds that is connected with the outside.
-    bool has_space() const;
+    // Throws InputError if a roadmap has no free space inside the fractal's bounds that is connected with the outside
+    // or, unless the shape changes, if there are no gates. `scene`: a scene of the shape, for the message.
+    void check(const Scene& scene) const;
     // Returns the balls of all roadmaps. gates() returns the gates of all roadmaps, each as the ball around its
     // narrowest point.
     std::vector<Ball> balls() const;
     std::vector<Ball> gates() const;
 
 private:
+    bool has_space() const;
     int number_of(double value) const;
     double value_of(int number) const;
 

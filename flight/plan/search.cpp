@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <queue>
 
 namespace mandelmarch {
 namespace {
@@ -58,6 +57,12 @@ Search::Search(std::span<const RoadmapSpan> stretches, double frames_a_clearance
     round_.assign(entries_.size(), -1);
 }
 
+bool Search::is_free(int stretch, Vector from, Vector to) const
+{
+    const double floor = free_share * roads(stretch).balls.least();
+    return field(stretch).least_between(from, to, floor) > floor;
+}
+
 Node Search::near(int stretch, Vector place) const
 {
     const Roadmap& there = roads(stretch);
@@ -72,29 +77,63 @@ Node Search::near(int stretch, Vector place) const
     }
     std::ranges::sort(nearest);
     if (nearest.size() > tried) nearest.resize(tried);
-    const double floor = free_share * there.balls.least();
     for (const auto& [apart, b] : nearest) {
         const Vector centre = there.balls.balls()[static_cast<std::size_t>(b)].centre;
-        if (there.field.least_between(centre, place, floor) > floor) return {stretch, b};
+        if (is_free(stretch, centre, place)) return {stretch, b};
     }
     return {};
+}
+
+void Search::relax(Queue& queue, Node node, double cost, double clock, Node before)
+{
+    const std::size_t b = index(node);
+    if (round_[b] == turn_ && cost_[b] <= cost) return;
+    round_[b] = turn_;
+    cost_[b] = cost;
+    clock_[b] = clock;
+    before_[b] = before;
+    queue.emplace(cost, std::pair{node.stretch, node.ball});
+}
+
+double Search::steps(Node node, const Link& link) const
+{
+    const double clearance =
+        std::min(0.5 * (std::min(link.clearance, ball({node.stretch, link.to}).clearance) + ball(node).clearance),
+                 fastest_clearance(field(node.stretch).bounds()));
+    return link.length / clearance;
+}
+
+double Search::with_penalties(double steps, Node to) const
+{
+    if (!field(to.stretch).bounds().contains(ball(to).centre)) steps *= outside_penalty;
+    if (seen_[index(to)] != 0) steps *= seen_penalty;
+    return steps;
+}
+
+bool Search::find(Node from, Node to)
+{
+    ++turn_;
+    Queue queue;
+    relax(queue, from, 0, 0, {});
+    while (!queue.empty()) {
+        const auto [cost, name] = queue.top();
+        queue.pop();
+        const Node node{name.first, name.second};
+        if (cost > cost_[index(node)]) continue;
+        if (node.ball == to.ball) return true;
+        for (const Link& link : roads(node.stretch).balls.links(node.ball)) {
+            const Node next{node.stretch, link.to};
+            relax(queue, next, cost + with_penalties(steps(node, link), next), 0, node);
+        }
+    }
+    return false;
 }
 
 Entry Search::next(Node from, double clock, std::span<const Vector> done, FlightRandom& random)
 {
     ++turn_;
-    using Label = std::pair<double, std::pair<int, int>>;
-    std::priority_queue<Label, std::vector<Label>, std::greater<>> queue;
-    const auto relax = [&](Node node, double cost, double when, Node before) {
-        const std::size_t b = index(node);
-        if (round_[b] == turn_ && cost_[b] <= cost) return;
-        round_[b] = turn_;
-        cost_[b] = cost;
-        clock_[b] = when;
-        before_[b] = before;
-        queue.emplace(cost, std::pair{node.stretch, node.ball});
-    };
-    relax(from, 0, clock, {});
+    Queue queue;
+    relax(queue, from, 0, clock, {});
     Entry best;
     stroll_ = {};
     double best_cost = std::numeric_limits<double>::infinity();
@@ -112,7 +151,7 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
         const Bounds& bounds = here.field.bounds();
         if (clock_[b] > stretch(node.stretch).until) {
             const Node on{node.stretch + 1, roads(node.stretch + 1).balls.holding(ball(node).centre)};
-            if (on.ball >= 0) relax(on, cost, clock_[b], node);
+            if (on.ball >= 0) relax(queue, on, cost, clock_[b], node);
             continue;
         }
         if (way > stroll_reach / 4 && way < stroll_reach && bounds.contains(ball(node).centre)) stroll_ = node;
@@ -129,14 +168,8 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
         }
         for (const Link& link : here.balls.links(node.ball)) {
             const Node to{node.stretch, link.to};
-            const Ball& there = ball(to);
-            const double clearance = std::min(0.5 * (std::min(link.clearance, there.clearance) + ball(node).clearance),
-                                              fastest_clearance(bounds));
-            double step = link.length / clearance;
-            const double when = clock_[b] + step * frames_a_clearance_;
-            if (!bounds.contains(there.centre)) step *= outside_penalty;
-            if (seen_[index(to)] != 0) step *= seen_penalty;
-            relax(to, cost + step, when, node);
+            const double step = steps(node, link);
+            relax(queue, to, cost + with_penalties(step, to), clock_[b] + step * frames_a_clearance_, node);
         }
     }
     return best;

@@ -2,7 +2,10 @@
 // The search for a tour's next gate, across the roadmaps of successive shapes.
 #pragma once
 
+#include <functional>
+#include <queue>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "flight/plan/random.h"
@@ -42,7 +45,11 @@ public:
     // includes the turn from the direction of these points to the way to the gate.
     Entry next(Node from, double clock, std::span<const Vector> done, FlightRandom& random);
 
-    // These functions return results of the last search:
+    // Searches the cheapest way from one ball of stretch 0 to another. Returns true if there is one. Only for a shape
+    // that does not change.
+    bool find(Node from, Node to);
+
+    // These functions return results of the last search, stroll() those of the last next():
     // - stroll(): a ball inside the bounds at some distance, to which the tour can lead if there is no gate,
     // - leg_to(): the balls on the way to a node,
     // - cost() and clock(): the cost of that way in clearances, and the shape time at the node.
@@ -54,6 +61,9 @@ public:
     // Returns the cost, in clearances, of the turns at both ends of the leg to a gate: from the tour so far (`done`)
     // into the leg, and from the leg into the gate.
     double turn_cost(Node node, Entry entry, std::span<const Vector> done) const;
+
+    // Returns true if the straight way between two places is free and wide enough for a tour in this stretch.
+    bool is_free(int stretch, Vector from, Vector to) const;
 
     // Returns the ball of a stretch that contains the place. If no ball contains the place, returns a close ball with a
     // free way to the place or, if there is no such ball, an empty node.
@@ -68,6 +78,16 @@ public:
     void forget();
 
 private:
+    using Label = std::pair<double, std::pair<int, int>>;
+    using Queue = std::priority_queue<Label, std::vector<Label>, std::greater<>>;
+
+    // Sets the labels of a ball and queues it, unless this search has found a way of at most the same cost.
+    void relax(Queue& queue, Node node, double cost, double clock, Node before);
+    // Returns the length in clearances of a link from the ball `node`. with_penalties() returns its cost; `to`: the
+    // link's other ball.
+    double steps(Node node, const Link& link) const;
+    double with_penalties(double steps, Node to) const;
+
     std::size_t index(Node node) const
     {
         return offsets_[static_cast<std::size_t>(node.stretch)] + static_cast<std::size_t>(node.ball);

@@ -12,10 +12,13 @@
 
 namespace mandelmarch {
 
-// A polyline. Its pinned points, which are the centres of gates, must be kept when it is smoothed.
+// A point's role when a polyline is smoothed. `gate`: the centre of a gate, which is kept and barely moves. `place`: a
+// place that the tour visits. `beside`: a point in front of such a place or behind it. Both are kept and do not move.
+enum class Pin : char { none, gate, beside, place };
+
 struct Polyline {
     std::vector<Vector> points;
-    std::vector<char> pinned;   // for each point
+    std::vector<Pin> pinned;    // for each point
     std::vector<double> clock;  // for each point: its shape time in frames
     std::vector<double> found;  // for each point: the shape parameter of the roadmap that contains it
 };
@@ -23,8 +26,20 @@ struct Polyline {
 struct Tour {
     Polyline way;
     int gates = 0;
-    double cost = 0;   // of the whole tour, in clearances
+    double cost = 0;   // of the whole tour, in clearances, with penalties
+    double flown = 0;  // length in clearances, without penalties
     double clock = 0;  // shape time at the tour's end, in frames
+};
+
+// A place that a tour visits.
+struct Visit {
+    Vector place;
+    Vector along;          // unit vector; the tour passes the place in this direction, on a straight line ...
+    double before, after;  // ... that begins and ends at these distances from the place
+    int ball;              // a ball with a free way to the place
+    bool starts;           // true: the tour starts at the place
+    int gates;             // largest number of gates on the way to the place
+    double longest;        // clearances; gates are left out if the way to the place would be longer
 };
 
 // The length at which a tour ends: a cost in clearances or, if the shape changes, a shape time in frames.
@@ -40,7 +55,9 @@ struct TourLength {
 // influences the choice of each gate. Each stretch of time uses its own roadmap. When the shape time passes the end of
 // a stretch, the tour continues in a ball of the next roadmap at the same place. `fine` is called, if given, with each
 // new part of the tour, preceded by up to four older points. A part for which `fine` returns false is discarded.
+// `visits`: places that the tour visits first, in this order; only for a shape that does not change. At least one gate
+// follows them.
 Tour make_tour(std::span<const RoadmapSpan> stretches, const TourLength& length, FlightRandom& random,
-               const std::function<bool(const Polyline& part)>& fine = {});
+               const std::function<bool(const Polyline& part)>& fine = {}, std::span<const Visit> visits = {});
 
 }  // namespace mandelmarch

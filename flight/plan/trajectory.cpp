@@ -103,6 +103,9 @@ Curve track_of(const Shapes& shapes, const Schedule& schedule, const ControlPoin
             track.value.push_back(schedule.changes() ? schedule.value(track.clock.back()) : shapes.usual());
         }
     }
+    // The spline's part i begins near control point i + 1.
+    for (const std::size_t i : line.places)
+        track.places.push_back((std::max<std::size_t>(i, 1) - 1) * samples_per_span);
     track.clearance.resize(track.at.size());
     shapes.distances(track.at, track.value, track.clearance);
     track.length.resize(track.at.size(), 0);

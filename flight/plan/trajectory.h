@@ -2,6 +2,8 @@
 // The curve of a flight, and the camera's trajectory: its motion along the curve in time.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "flight/field/shapes.h"
@@ -9,7 +11,7 @@
 
 namespace mandelmarch {
 
-// A curve as dense samples. Each vector has one element per sample.
+// A curve as dense samples. Each vector but `places` has one element per sample.
 struct Curve {
     std::vector<Vector> at;
     std::vector<double> length;     // along the curve, from its beginning to the sample
@@ -17,6 +19,18 @@ struct Curve {
     std::vector<double> slow;       // speed factor: the speed divided by the speed that the clearance allows; at most 1
     std::vector<double> clock;      // shape time, in frames of the schedule
     std::vector<double> value;      // the shape parameter's value at that time
+    std::vector<std::size_t> places;  // the samples at which the curve passes the tour's visits
+};
+
+// The part of a curve near a place. `first`, `middle` and `last` are samples of the curve: the beginning of the stay,
+// the place, and the end of the stay.
+struct Stop {
+    std::size_t first, middle, last;
+    double stay;                  // frames
+    std::optional<double> frame;  // of the arrival; nullopt: as the flight gets there
+    Vector along;                 // unit vector; the gaze during the stay
+    // In the time of a trajectory, in frames; set by ride_to_stops().
+    double arrives = 0, leaves = 0;
 };
 
 // Returns the uniform cubic B-spline whose control points and shape times are given by `line`.

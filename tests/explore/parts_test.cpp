@@ -25,6 +25,7 @@
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
+#include "flight/path/places.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -43,6 +44,23 @@ double clearance_after_a_minute(Motion& motion, Scene& scene)
         least = std::min(least, motion.clearance(scene));
     }
     return least;
+}
+
+TEST(Places, ViewsAreAppendedToAFile)
+{
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "places.csv";
+    Scene scene = official("bulb");
+    EXPECT_EQ(append_place(file, scene), 1U);
+    std::ofstream(file, std::ios::app) << "tour";  // by hand, without an end of line
+    scene.eye = {1, 2, 3};
+    EXPECT_EQ(append_place(file, scene), 2U);
+    const Places places = read_places(file);
+    EXPECT_EQ(places.all[1].eye, scene.eye);
+    EXPECT_EQ(places.all[1].target, scene.target);
+    EXPECT_TRUE(places.all[1].tour);
+    std::ofstream(file) << "something else\n";
+    EXPECT_THROW(append_place(file, scene), InputError);
 }
 
 TEST(ExploreMotion, WallsStopTheFlight)

@@ -50,6 +50,18 @@ test_parts_of_a_path() {
     [ "$(ls one | grep -vc made)" = 1 ] || fail "--frames 63-63 gives $(ls one)"
     run 0 render path.json $small --output part.mkv --frames 30-33
     [ "$(probe part.mkv nb_read_frames)" = 4 ] || fail "a film of four frames has others"
+    # The same frames by seconds, at 30 frames a second.
+    run 0 render path.json $small --output seconds.mkv --from 1 --to 1.1333
+    same_file part.mkv seconds.mkv "frames 30-33 and seconds 1 to 1.13"
+    run 0 render path.json $small --stills last --from 2.1
+    [ "$(ls last | grep -v made)" = frame-000063.png ] || fail "--from 2.1 gives $(ls last)"
+    run 2 render path.json $small --output part.mp4 --from 2 --to 3
+    says '2 to 3 s given, expected a part of the 2.13'
+    run 2 render path.json $small --output part.mp4 --from 1 --frames 30-33
+    # This straight flight passes no narrow place.
+    run 2 render path.json $small --output part.mp4 --chapter passages
+    says 'passages given, but this flight of 64 frames has 0 narrow places'
+    run 2 plan new.json --from 1
     local range
     for range in 60-64 70-80 5-3 5 x; do
         run 2 render path.json $small --output part.mp4 --frames $range

@@ -51,6 +51,31 @@ assert abs(film["seconds_per_frame"] * 120 - film["seconds"]) < 1e-6
 PY
 }
 
+# A flight visits the places of a file. visiting_test.cpp tests how exactly it does.
+test_places() {
+    echo "location_x,location_y,location_z,look_at_x,look_at_y,look_at_z,second,stay" >places.csv
+    cp places.csv solid.csv
+    echo "4.59089102,3.307132358,5.499079091,5.1289,2.5250,5.1848,0,1" >>places.csv
+    echo "0.3,0.2,0.1,1,1,1" >>solid.csv
+    # A flight of one second, which begins and ends at the place.
+    run 0 plan new.json --fractal box --places places.csv --fps 60
+    python3 - <<'PY' || fail "a flight of one place is not there for one second"
+import json, math
+frames = json.load(open("new.json"))["frames"]
+assert 60 <= len(frames) <= 63, len(frames)
+assert all(math.dist(frame["location"], (4.59089102, 3.307132358, 5.499079091)) < 0.3 for frame in frames)
+PY
+    "$program" plan solid.json --fractal box --places solid.csv >stdout 2>stderr
+    [ $? = 2 ] || fail "a place in the solid: $(tail -1 stderr)"
+    says 'solid.csv:2: the camera cannot reach the location 0.3,0.2,0.1, inside the fractal; the nearest .* is [0-9.,-]+$'
+    run 2 plan other.json --places missing.csv
+    says 'missing.csv: cannot be read'
+    run 2 plan other.json --places places.csv --power 8:7 --backend openmp
+    says 'places.csv: the shape changes in flight'
+    run 2 render path.json --places places.csv
+    run 2 plan places.csv --places places.csv
+}
+
 # A flight can be planned at another frame rate. rate_test.cpp tests that it is the same flight.
 test_rates() {
     run 2 plan new.json --fps 0

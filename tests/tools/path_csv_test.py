@@ -104,7 +104,7 @@ class Camera:
 
 
 def fake_blender():
-    scene = types.SimpleNamespace(render=types.SimpleNamespace(fps=None), frame_start=None, frame_end=None, camera=None,
+    scene = types.SimpleNamespace(render=types.SimpleNamespace(fps=None, fps_base=1), frame_start=None, frame_end=None, camera=None,
                                   collection=types.SimpleNamespace(objects=types.SimpleNamespace(link=lambda it: None)))
 
     def frame_set(number):
@@ -135,6 +135,27 @@ class BlenderTest(unittest.TestCase):
             self.assertAlmostEqual(sum(a * b for a, b in zip(now["up"], gaze)), 0, places=12)
             self.assertGreater(sum(a * b for a, b in zip(now["up"], was["up"])), 0)
             self.assertEqual(now["brightness"], was["brightness"])
+
+    def test_markers_are_a_places_file(self):
+        bpy = fake_blender()
+        blender_path.load(bpy, types.SimpleNamespace(Matrix=lambda rows: rows), PATH)
+        scene = bpy.context.scene
+        scene.frame_start = 1
+        scene.timeline_markers = [types.SimpleNamespace(name=name, frame=frame)
+                                  for name, frame in (("b", 3), ("tour", 2), ("a", 1))]
+        header, first, tour, second = blender_path.places(bpy).splitlines()
+        with open(os.path.join(TOOLS, "..", "flight", "path", "places.h"), encoding="utf-8") as file:
+            self.assertIn(f'"{header}"', file.read())
+        self.assertEqual(tour, "tour")
+        for line, frame, time in ((first, 1, 0), (second, 3, 2 / 30)):
+            *numbers, stay = line.split(",")
+            numbers = [float(number) for number in numbers]
+            was = PATH["frames"][frame]
+            self.assertEqual((numbers[:3], stay), (was["location"], ""))
+            self.assertAlmostEqual(numbers[6], time, places=9)
+            gaze = blender_path.unit(blender_path.minus(was["look_at"], was["location"]))
+            for a, b in zip(blender_path.minus(numbers[3:6], numbers[:3]), gaze):
+                self.assertAlmostEqual(a, b, places=8)
 
     def test_a_unit_of_the_field_is_the_kernels(self):
         with open(os.path.join(TOOLS, "..", "core", "scene", "scene.h"), encoding="utf-8") as file:

@@ -88,6 +88,16 @@ void save_view(Model& model, Desktop& /*desktop*/)
     model.say(fmt::format("{}.dat: {}", name, command_of(scene, model.view.setup(), name + ".dat")));
 }
 
+void save_place(Model& model, Desktop& /*desktop*/)
+{
+    const Scene& scene = model.view.scene();
+    const std::string name =
+        fmt::format("{}{}{}-places.csv", model.folder, model.folder.empty() ? "" : "/", scene.fractal->name);
+    const std::size_t count = append_place(name, scene);
+    model.say(fmt::format("place {} in {}: bin/flythrough film --fractal {} --places {}", count, name,
+                          scene.fractal->name, name));
+}
+
 void copy_view(Model& model, Desktop& desktop)
 {
     Scene scene = model.view.scene();
@@ -217,6 +227,7 @@ constexpr std::array table{
     Action{"undo", "Ctrl+Z", "undo", [](Model& m, Desktop&) { after_undo(m, m.view.undo(), "undo"); }},
     Action{"redo", "Ctrl+Y", "redo", [](Model& m, Desktop&) { after_undo(m, m.view.redo(), "redo"); }},
     Action{"save-view", "Ctrl+S", "save the view as a parameter file", save_view},
+    Action{"save-place", "Ctrl+N", "add the view to the places that a film visits", save_place},
     Action{"copy", "Ctrl+C", "copy the view's parameter file", copy_view},
     Action{"paste", "Ctrl+V", "show the view of the clipboard's parameter file", paste_view},
     Action{"save-picture", "Ctrl+P", "save a picture at the size set in the panel", save_picture},

@@ -16,6 +16,7 @@
 #include "core/image/formats/image_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "flight/path/places.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -84,6 +85,21 @@ Scene view_of_text(const std::string& text, const std::string& name, const Fract
     Scene scene = parse_parameters(text, name, guess(text, name, hint)).scene;
     scene.conservative = text.starts_with("# drawn with --estimate conservative");
     return scene;
+}
+
+std::size_t append_place(const std::string& file, const Scene& scene)
+{
+    std::string text = std::string(places_header) + "\n";
+    if (std::filesystem::exists(file)) {
+        read_places(file);
+        std::ifstream stream(file, std::ios::binary);
+        text.assign(std::istreambuf_iterator<char>(stream), {});
+        if (!text.ends_with('\n')) text += '\n';
+    }
+    text += place_line(scene.eye, scene.target) + "\n";
+    const std::size_t count = places_from_text(text, file).all.size();
+    write_file(file, text);
+    return count;
 }
 
 Scene read_view(const std::string& file, const Fractal& hint)

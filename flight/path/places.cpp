@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/path/places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::size_t columns = 8;
+constexpr std::size_t most_places = 1000;
+constexpr std::size_t longest_field = 80;  // bytes of a field in a message
+constexpr double farthest = 1e9;           // largest coordinate
+constexpr double latest = 1e6;             // seconds
+constexpr std::string_view tour_word = "tour";
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view blanks = " \t\r";
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+// Returns the fields of a line, without blanks around them. Fields that are empty at the line's end are left out.
+std::vector<std::string> fields_of(std::string_view line, char separator)
+{
+    std::vector<std::string> fields;
+    for (std::size_t from = 0; from <= line.size();) {
+        const std::size_t end = std::min(line.find(separator, from), line.size());
+        fields.emplace_back(trimmed(line.substr(from, end - from)));
+        // In tables with semicolons or tabs, spreadsheets of many countries write decimal commas.
+        if (separator != ',') std::ranges::replace(fields.back(), ',', '.');
+        from = end + 1;
+    }
+    while (!fields.empty() && fields.back().empty()) fields.pop_back();
+    return fields;
+}
+
+class PlacesReader {
+public:
+    explicit PlacesReader(const std::string& name) { places_.file = name; }
+
+    void read(std::string_view line)
+    {
+        ++number_;
+        if (trimmed(line).empty() || trimmed(line).front() == '#') return;
+        if (separator_ == 0) return head(line);
+        const std::vector<std::string> fields = fields_of(line, separator_);
+        if (fields.empty()) return;
+        if (fields.size() == 1 && fields[0] == tour_word) {
+            if (places_.tour_after) fail("this is the second tour on end, expected a place between two tours");
+            places_.tour_after = true;
+            return;
+        }
+        if (places_.all.size() == most_places) fail(fmt::format("expected at most {} places", most_places));
+        add(fields);
+    }
+
+    Places take()
+    {
+        number_ = std::max(number_, 1);
+        if (separator_ == 0) fail_head("the table is empty");
+        if (places_.all.empty()) {
+            throw InputError(fmt::format("{}: no places, expected lines below the header", places_.file));
+        }
+        return std::move(places_);
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const
+    {
+        throw InputError(fmt::format("{}:{}: {}", places_.file, number_, why));
+    }
+
+    [[noreturn]] void fail_head(const std::string& found) const
+    {
+        fail(fmt::format("{}, expected the header {}", found, places_header));
+    }
+
+    void head(std::string_view line)
+    {
+        for (const char separator : {',', ';', '\t'}) {
+            if (fields_of(line, separator) != fields_of(places_header, ',')) continue;
+            separator_ = separator;
+            return;
+        }
+        fail_head(fmt::format("'{}' given", printable(trimmed(line), longest_field)));
+    }
+
+    double real(const std::vector<std::string>& fields, std::size_t column, double low, double high) const
+    {
+        const std::string text = column < fields.size() ? fields[column] : "";
+        const auto value = parse_real(text);
+        if (value && *value >= low && *value <= high) return *value;
+        fail(fmt::format("{} is '{}', expected a number from {} to {}", fields_of(places_header, ',')[column],
+                         printable(text, longest_field), low, high));
+    }
+
+    void add(const std::vector<std::string>& fields)
+    {
+        if (fields.size() > columns) {
+            fail(fmt::format("{} fields given, expected {} or the word {}", fields.size(), columns, tour_word));
+        }
+        const auto given = [&](std::size_t column) { return column < fields.size() && !fields[column].empty(); };
+        const auto point = [&](std::size_t first) {
+            const double x = real(fields, first, -farthest, farthest);
+            const double y = real(fields, first + 1, -farthest, farthest);
+            return Vector{x, y, real(fields, first + 2, -farthest, farthest)};
+        };
+        Place place;
+        place.eye = point(0);
+        place.target = point(3);
+        if (!(length(place.target - place.eye) > 0)) fail("look_at is the location, expected another point");
+        if (given(6)) place.second = real(fields, 6, 0, latest);
+        place.stay = given(7) ? real(fields, 7, 0, most_stay) : usual_stay;
+        place.tour = places_.tour_after;
+        place.line = number_;
+        in_time(place);
+        if (place.second) {
+            latest_ = *place.second + place.stay;
+        } else {
+            latest_ += place.stay;
+        }
+        places_.tour_after = false;
+        places_.all.push_back(place);
+    }
+
+    // Throws InputError if the camera must be at the place before it leaves an earlier place.
+    void in_time(const Place& place) const
+    {
+        if (!place.second || places_.all.empty() || *place.second > latest_) return;
+        fail(fmt::format("second is {}, expected more than {}, when the stays before it end", *place.second, latest_));
+    }
+
+    Places places_;
+    int number_ = 0;      // of the line
+    char separator_ = 0;  // 0: the header is not read yet
+    double latest_ = 0;   // seconds; earliest end of the stay at the last place
+};
+
+}  // namespace
+
+std::string place_line(Vector eye, Vector target)
+{
+    return fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},,{}", eye.x, eye.y, eye.z, target.x, target.y,
+                       target.z, usual_stay);
+}
+
+Places places_from_text(const std::string& text, const std::string& name)
+{
+    PlacesReader reader(name);
+    std::string_view rest = text;
+    if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        reader.read(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return reader.take();
+}
+
+Places read_places(const std::string& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (!stream || !(text << stream.rdbuf())) {
+        throw InputError(fmt::format("{}: cannot be read, expected a places file", file));
+    }
+    return places_from_text(text.str(), file);
+}
+
+}  // namespace mandelmarch

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places files: tables of places that a flight visits, written by hand, by bin/explore or by tools/blender_path.py.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace mandelmarch {
+
+struct Place {
+    Vector eye, target;            // the camera's position, and a point in the middle of the picture
+    std::optional<double> second;  // time at which the camera arrives; nullopt: as the flight gets there
+    double stay = 0;               // seconds during which the camera remains close to the place and looks at the target
+    bool tour = false;             // true: the flight tours on its way to this place
+    int line = 0;                  // of the file, from 1
+};
+
+struct Places {
+    std::string file;  // the name in messages
+    std::vector<Place> all;
+    bool tour_after = false;  // true: a tour follows the last place
+};
+
+inline constexpr std::string_view places_header =
+    "location_x,location_y,location_z,look_at_x,look_at_y,look_at_z,second,stay";
+inline constexpr double usual_stay = 2;  // seconds; of a place whose field "stay" is empty
+inline constexpr double most_stay = 4;   // seconds; the audit limits the time for which a camera stands still
+
+// Returns a line of a places file, without the end of the line. Its field "second" is empty.
+std::string place_line(Vector eye, Vector target);
+
+// Parses a places file. `name`: the file's name, with which messages begin. Throws InputError with a message of one
+// line, which names the file's line and the column.
+Places places_from_text(const std::string& text, const std::string& name);
+Places read_places(const std::string& file);
+
+}  // namespace mandelmarch

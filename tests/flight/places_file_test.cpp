@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests the reader of places files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/base/error.h"
+#include "flight/path/places.h"
+
+namespace mandelmarch {
+namespace {
+
+const std::string head = std::string(places_header) + "\n";
+
+TEST(PlacesFile, HasPlacesAndToursInOrder)
+{
+    const Places places = places_from_text(
+        "# views\n" + head + "1,2,3,0,0,0,,\n\n1, 2, 4 ,0,0,0,20,0\ntour\n1,2,5,0,0,0.5,60.5,3\ntour,,,,,,,\n",
+        "a.csv");
+    ASSERT_EQ(places.all.size(), 3U);
+    const auto& [first, second, third] = std::tie(places.all[0], places.all[1], places.all[2]);
+    EXPECT_EQ(first.eye, (Vector{1, 2, 3}));
+    EXPECT_EQ(third.target, (Vector{0, 0, 0.5}));
+    EXPECT_FALSE(first.second.has_value());
+    EXPECT_EQ(second.second, 20);
+    EXPECT_EQ(third.second, 60.5);
+    EXPECT_EQ(first.stay, usual_stay);
+    EXPECT_EQ(second.stay, 0);
+    EXPECT_EQ(third.stay, 3);
+    EXPECT_EQ(std::vector({first.tour, second.tour, third.tour}), std::vector({false, false, true}));
+    EXPECT_EQ(std::vector({first.line, second.line, third.line}), std::vector({3, 5, 7}));
+    EXPECT_TRUE(places.tour_after);
+    EXPECT_FALSE(places_from_text(head + "1,2,3,0,0,0\n", "a.csv").tour_after);
+}
+
+TEST(PlacesFile, IsReadAsSpreadsheetsWriteIt)
+{
+    const std::string text = head + "1.5,2,3,0,0,0,20.5,2\ntour\n";
+    std::string other = "\xef\xbb\xbf" + text;
+    std::ranges::replace(other, ',', ';');
+    std::ranges::replace(other, '.', ',');
+    for (std::size_t at = 0; (at = other.find('\n', at)) != std::string::npos; at += 2) other.insert(at, "\r");
+    const Place want = places_from_text(text, "a.csv").all.front();
+    const Place got = places_from_text(other, "a.csv").all.front();
+    EXPECT_EQ(want.eye, got.eye);
+    EXPECT_EQ(want.second, got.second);
+    EXPECT_EQ(got.eye.x, 1.5);
+}
+
+TEST(PlacesFile, LineOfAViewIsAPlace)
+{
+    const Vector eye{0.123456789, -2, 3e-7};
+    const Place place = places_from_text(head + place_line(eye, {0, 0, 1}) + "\n", "a.csv").all.front();
+    EXPECT_EQ(place.eye, eye);
+    EXPECT_EQ(place.target, (Vector{0, 0, 1}));
+    EXPECT_FALSE(place.second.has_value());
+}
+
+struct Bad {
+    const char* lines;
+    const char* message;
+};
+
+TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
+{
+    const std::string good = "1,2,3,0,0,0,20,2\n";
+    ASSERT_NO_THROW(places_from_text(head + good, "a.csv"));
+    for (const auto& [lines, message] : {
+             Bad{"x,2,3,0,0,0", "a.csv:2: location_x is 'x', expected a number"},
+             {"1,2,nan,0,0,0", "a.csv:2: location_z is 'nan'"},
+             {"1,2,3,0,0", "a.csv:2: look_at_z is ''"},
+             {"1,2,3,0,1e300,0", "a.csv:2: look_at_y is '1e300'"},
+             {"1,2,3,1,2,3", "a.csv:2: look_at is the location"},
+             {"1,2,3,0,0,0,-1", "a.csv:2: second is '-1'"},
+             {"1,2,3,0,0,0,5,99", "a.csv:2: stay is '99', expected a number from 0 to 4"},
+             {"1,2,3,0,0,0,5,1,7", "a.csv:2: 9 fields given, expected 8 or the word tour"},
+             {"1,2,3,0,0,0,20\n\n1,2,3,0,0,0,21", "a.csv:4: second is 21, expected more than 22"},
+             {"1,2,3,0,0,0,20\n1,2,3,0,0,0\n1,2,3,0,0,0,23", "a.csv:4: second is 23, expected more than 24"},
+             {"tour\ntour\n1,2,3,0,0,0", "a.csv:3: this is the second tour on end"},
+             {"tuor", "a.csv:2: location_x is 'tuor'"},
+             {"tour", "a.csv: no places"},
+         }) {
+        try {
+            places_from_text(head + lines + "\n", "a.csv");
+            ADD_FAILURE() << lines;
+        } catch (const InputError& error) {
+            EXPECT_TRUE(std::string(error.what()).starts_with(message)) << error.what();
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        }
+    }
+    for (const std::string& text : {std::string(), good, "frame," + head}) {
+        try {
+            places_from_text(text, "a.csv");
+            ADD_FAILURE() << text;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("expected the header location_x"), std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mandelmarch
