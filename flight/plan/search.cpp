@@ -51,11 +51,7 @@ Search::Search(std::span<const RoadmapSpan> stretches, double frames_a_clearance
         }
         flown_.emplace_back(static_cast<std::size_t>(kinds), 0);
     }
-    seen_.assign(entries_.size(), 0);
-    cost_.assign(entries_.size(), 0);
-    clock_.assign(entries_.size(), 0);
-    before_.assign(entries_.size(), {});
-    round_.assign(entries_.size(), -1);
+    labels_.resize(entries_.size());
 }
 
 Node Search::near(int stretch, Vector place) const
@@ -83,15 +79,13 @@ Node Search::near(int stretch, Vector place) const
 Entry Search::next(Node from, double clock, std::span<const Vector> done, FlightRandom& random)
 {
     ++turn_;
-    using Label = std::pair<double, std::pair<int, int>>;
-    std::priority_queue<Label, std::vector<Label>, std::greater<>> queue;
+    using Candidate = std::pair<double, std::pair<int, int>>;  // cost, stretch and ball
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue;
+    const auto reached = [&](const Label& label, double cost) { return label.turn == turn_ && label.cost <= cost; };
     const auto relax = [&](Node node, double cost, double when, Node before) {
-        const std::size_t b = index(node);
-        if (round_[b] == turn_ && cost_[b] <= cost) return;
-        round_[b] = turn_;
-        cost_[b] = cost;
-        clock_[b] = when;
-        before_[b] = before;
+        Label& label = labels_[index(node)];
+        if (reached(label, cost)) return;
+        label = {cost, when, before, turn_, label.seen};
         queue.emplace(cost, std::pair{node.stretch, node.ball});
     };
     relax(from, 0, clock, {});
@@ -104,15 +98,16 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
         queue.pop();
         const Node node{name.first, name.second};
         const std::size_t b = index(node);
-        if (cost > cost_[b]) continue;
+        if (cost > labels_[b].cost) continue;
         if (cost > gate_reach) break;
-        const double way = frames_a_clearance_ > 0 ? (clock_[b] - clock) / frames_a_clearance_ : 0;
+        const double now = labels_[b].clock;
+        const double way = frames_a_clearance_ > 0 ? (now - clock) / frames_a_clearance_ : 0;
         if (way > changing_reach) continue;
         const Roadmap& here = roads(node.stretch);
         const Bounds& bounds = here.field.bounds();
-        if (clock_[b] > stretch(node.stretch).until) {
+        if (now > stretch(node.stretch).until) {
             const Node on{node.stretch + 1, roads(node.stretch + 1).balls.holding(ball(node).centre)};
-            if (on.ball >= 0) relax(on, cost, clock_[b], node);
+            if (on.ball >= 0) relax(on, cost, now, node);
             continue;
         }
         if (way > stroll_reach / 4 && way < stroll_reach && bounds.contains(ball(node).centre)) stroll_ = node;
@@ -129,13 +124,15 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
         }
         for (const Link& link : here.balls.links(node.ball)) {
             const Node to{node.stretch, link.to};
+            const Label& label = labels_[index(to)];
+            if (reached(label, cost)) continue;  // a way through this ball costs more
             const Ball& there = ball(to);
             const double clearance = std::min(0.5 * (std::min(link.clearance, there.clearance) + ball(node).clearance),
                                               fastest_clearance(bounds));
             double step = link.length / clearance;
-            const double when = clock_[b] + step * frames_a_clearance_;
+            const double when = now + step * frames_a_clearance_;
             if (!bounds.contains(there.centre)) step *= outside_penalty;
-            if (seen_[index(to)] != 0) step *= seen_penalty;
+            if (label.seen) step *= seen_penalty;
             relax(to, cost + step, when, node);
         }
     }
@@ -160,7 +157,7 @@ double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) c
 std::vector<Node> Search::leg_to(Node node) const
 {
     std::vector<Node> leg;
-    for (Node at = node; at.ball >= 0; at = before_[index(at)]) leg.push_back(at);
+    for (Node at = node; at.ball >= 0; at = labels_[index(at)].before) leg.push_back(at);
     std::ranges::reverse(leg);
     return leg;
 }
@@ -171,8 +168,8 @@ void Search::see(Node node)
         const Node there =
             stretch == node.stretch ? node : Node{stretch, roads(stretch).balls.holding(ball(node).centre)};
         if (there.ball < 0) continue;
-        seen_[index(there)] = 1;
-        for (const Link& link : roads(stretch).balls.links(there.ball)) seen_[index({stretch, link.to})] = 1;
+        labels_[index(there)].seen = true;
+        for (const Link& link : roads(stretch).balls.links(there.ball)) labels_[index({stretch, link.to})].seen = true;
     }
 }
 
@@ -194,7 +191,7 @@ void Search::mark_flown(Entry entry)
 void Search::forget()
 {
     for (auto& kinds : flown_) std::ranges::fill(kinds, 0);
-    std::ranges::fill(seen_, 0);
+    for (Label& label : labels_) label.seen = false;
 }
 
 }  // namespace mandelmarch

@@ -48,8 +48,8 @@ public:
     // - cost() and clock(): the cost of that way in clearances, and the shape time at the node.
     Node stroll() const { return stroll_; }
     std::vector<Node> leg_to(Node node) const;
-    double cost(Node node) const { return cost_[index(node)]; }
-    double clock(Node node) const { return clock_[index(node)]; }
+    double cost(Node node) const { return labels_[index(node)].cost; }
+    double clock(Node node) const { return labels_[index(node)].clock; }
 
     // Returns the cost, in clearances, of the turns at both ends of the leg to a gate: from the tour so far (`done`)
     // into the leg, and from the leg into the gate.
@@ -73,15 +73,20 @@ private:
         return offsets_[static_cast<std::size_t>(node.stretch)] + static_cast<std::size_t>(node.ball);
     }
 
+    // What the search knows of a ball: the mark of see(), and Dijkstra's labels, which belong to the last search if
+    // `turn` equals turn_.
+    struct Label {
+        double cost = 0, clock = 0;
+        Node before;
+        int turn = -1;
+        bool seen = false;
+    };
+
     std::span<const RoadmapSpan> stretches_;
     double frames_a_clearance_;
     std::vector<std::size_t> offsets_;      // for each stretch: index of its first ball in the vectors of all balls
-    std::vector<char> seen_;                // for each ball: marked by see()
     std::vector<std::vector<char>> flown_;  // for each stretch and kind of gate: marked by mark_flown()
-    // Dijkstra's labels for each ball. They belong to the last search if the ball's round_ equals turn_.
-    std::vector<double> cost_, clock_;
-    std::vector<Node> before_;
-    std::vector<int> round_;
+    std::vector<Label> labels_;             // for each ball
     int turn_ = 0;
     std::vector<std::vector<int>> entries_;  // for each ball: the entries of gates that begin in it, see Entry::number
     Node stroll_;
