@@ -162,39 +162,34 @@ double median_motion(const DepthView& seen, const Frame& from, const Frame& to)
     return median_motion(along, depths, from, to);
 }
 
-double likeness(const DepthView& a, const DepthView& b)
+LogDepths::LogDepths(const DepthView& view) : values{}, squares(0)
 {
-    // Pixels of the background are treated as twice as far away as the farthest hit.
-    const auto logarithms = [](const DepthView& view) {
-        float most = 0;
-        for (const float d : view.depth) most = std::isfinite(d) ? std::max(most, d) : most;
-        std::array<double, view_pixels> logs{};
-        double mean = 0;
-        for (std::size_t k = 0; k < view_pixels; ++k) {
-            logs[k] = std::log(static_cast<double>(std::isfinite(view.depth[k]) ? view.depth[k] : 2 * most) + 1e-12);
-            mean += logs[k] / view_pixels;
-        }
-        for (double& l : logs) l -= mean;
-        return logs;
-    };
-    const auto x = logarithms(a);
-    const auto y = logarithms(b);
-    double xx = 0;
-    double yy = 0;
-    double xy = 0;
-    double mirrored = 0;
-    for (int k = 0; k < view_pixels; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        const auto m = static_cast<std::size_t>(k / view_width * view_width + view_width - 1 - k % view_width);
-        xx += x[n] * x[n];
-        yy += y[n] * y[n];
-        xy += x[n] * y[n];
-        mirrored += x[n] * y[m];
+    float most = 0;
+    for (const float d : view.depth) most = std::isfinite(d) ? std::max(most, d) : most;
+    double mean = 0;
+    for (std::size_t k = 0; k < view_pixels; ++k) {
+        values[k] = std::log(static_cast<double>(std::isfinite(view.depth[k]) ? view.depth[k] : 2 * most) + 1e-12);
+        mean += values[k] / view_pixels;
     }
-    const double scale = std::sqrt(xx * yy);
+    for (double& value : values) {
+        value -= mean;
+        squares += value * value;
+    }
+}
+
+double likeness(const LogDepths& a, const LogDepths& b)
+{
+    double same = 0;
+    double mirrored = 0;
+    for (std::size_t k = 0; k < view_pixels; ++k) {
+        const std::size_t m = k / view_width * view_width + view_width - 1 - k % view_width;
+        same += a.values[k] * b.values[k];
+        mirrored += a.values[k] * b.values[m];
+    }
+    const double scale = std::sqrt(a.squares * b.squares);
     // If a view has constant depth, its correlation with another view is undefined. Two views of constant depth count
     // as equal (1). A view of constant depth and any other view count as unlike (0).
-    return scale > 0 ? std::max(xy, mirrored) / scale : xx == yy ? 1 : 0;
+    return scale > 0 ? std::max(same, mirrored) / scale : a.squares == b.squares ? 1 : 0;
 }
 
 Row motion_row(const Path& path, const Seen& seen)
@@ -249,9 +244,12 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
 Row again_row(const Seen& seen)
 {
     std::vector<std::size_t> some;  // indices of the compared views
+    std::vector<LogDepths> depths;
     const auto every = static_cast<std::size_t>(view_every * seen.frames_per_second);
     for (std::size_t v = 0; v < seen.views.size(); ++v) {
-        if (some.empty() || seen.frames[v] >= seen.frames[some.back()] + every) some.push_back(v);
+        if (!some.empty() && seen.frames[v] < seen.frames[some.back()] + every) continue;
+        some.push_back(v);
+        depths.emplace_back(seen.views[v]);
     }
     const auto frame = [&](std::size_t i) { return seen.frames[some[i]]; };
     std::size_t again = 0;
@@ -260,7 +258,7 @@ Row again_row(const Seen& seen)
         bool other = false;  // a view that differs from view i lies between i and j
         for (std::size_t j = i + 1;
              j < some.size() && static_cast<double>(frame(j) - frame(i)) <= minute * seen.frames_per_second; ++j) {
-            const double like = likeness(seen.views[some[i]], seen.views[some[j]]);
+            const double like = likeness(depths[i], depths[j]);
             other = other || like < moved_on;
             if (!other || like <= same_view) continue;
             if (again++ == 0) first = fmt::format("frames {} and {}", frame(i), frame(j));

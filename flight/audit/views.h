@@ -51,9 +51,18 @@ double median_motion(const DepthView& seen, const Frame& from, const Frame& to);
 // hits nothing.
 double median_motion(std::span<const Vector> along, std::span<const float> depths, const Frame& from, const Frame& to);
 
-// Returns the correlation of the logarithms of two views' depths. It is computed with `b` as it is and with `b`
-// mirrored left to right; the larger value is returned.
-double likeness(const DepthView& a, const DepthView& b);
+// The logarithms of a view's depths, less their mean. Pixels of the background are treated as twice as far away as the
+// farthest hit.
+struct LogDepths {
+    explicit LogDepths(const DepthView& view);
+
+    std::array<double, view_pixels> values;
+    double squares;  // sum of the squares of the values
+};
+
+// Returns the correlation of two views' depths. It is computed with `b` as it is and with `b` mirrored left to right;
+// the larger value is returned.
+double likeness(const LogDepths& a, const LogDepths& b);
 
 // Views of some frames: `views[i]` belongs to frame `frames[i]`.
 struct Seen {

@@ -51,11 +51,20 @@ std::span<const float> of_panorama(const std::vector<float>& all, std::size_t pa
 
 double square(double x) { return x * x; }
 
-bool is_middle(int direction, int other)
+// Returns, for each direction near the given one, whether it is in the central part of a view in this direction.
+std::span<const char> middle(int direction)
 {
-    static const double cosine = std::cos(middle_radius);
-    const auto& all = sphere().directions();
-    return dot(all[static_cast<std::size_t>(direction)], all[static_cast<std::size_t>(other)]) > cosine;
+    static const auto made = [] {
+        const auto& all = sphere().directions();
+        std::vector<std::vector<char>> flags(directions);
+        for (std::size_t d = 0; d < directions; ++d) {
+            for (const int k : sphere().near(static_cast<int>(d))) {
+                flags[d].push_back(dot(all[d], all[static_cast<std::size_t>(k)]) > std::cos(middle_radius) ? 1 : 0);
+            }
+        }
+        return flags;
+    }();
+    return made[static_cast<std::size_t>(direction)];
 }
 
 double angle_of_units(Vector a, Vector b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)); }
@@ -147,7 +156,7 @@ std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::sp
     return depths;
 }
 
-Director::Director(const Shapes& shapes, const Curve& track)
+Director::Director(const Shapes& shapes, const Curve& track) : threads_(shapes.threads())
 {
     const DistanceField& field = shapes.field();
     std::vector<Vector> places;
@@ -180,18 +189,18 @@ void Director::rate(std::span<const float> depths, double clearance, std::span<f
     const double wall = std::log(wall_distance * clearance);
     for (int d = 0; d < directions; ++d) {
         const auto near = sphere().near(d);
+        const auto inner = middle(d);
         double hits = 0;
         double walls = 0;
         double middles = 0;
         double middle_hits = 0;
         double sum = 0;
         double squares = 0;
-        for (const int k : near) {
-            const double depth = logarithms[static_cast<std::size_t>(k)];
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            const double depth = logarithms[static_cast<std::size_t>(near[i])];
             const bool hit = std::isfinite(depth);
-            const bool inner = is_middle(d, k);
-            middles += inner ? 1 : 0;
-            middle_hits += inner && hit ? 1 : 0;
+            middles += inner[i];
+            middle_hits += hit ? inner[i] : 0;
             if (!hit) continue;
             hits += 1;
             walls += depth < wall ? 1 : 0;
@@ -231,36 +240,43 @@ double Director::motion(double sample, const Frame& from, const Frame& to) const
     return median_motion(along, hits, from, to);
 }
 
+std::vector<double> Director::slot_costs(const Trajectory& ride, std::span<const std::size_t> frames,
+                                         std::span<const Stop> stops) const
+{
+    std::vector<double> all(frames.size() * directions);
+    parallel(frames.size(), 16, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t slot = first; slot < last; ++slot) {
+            const Vector soon = ahead(ride, frames[slot], look_ahead);
+            const Vector motion = ahead(ride, frames[slot], 1);
+            const auto costs = of_panorama(costs_, panorama_at(ride.sample[frames[slot]]));
+            const Stop* const stop = stop_near(stops, frames[slot]);
+            for (std::size_t n = 0; n < directions; ++n) {
+                const Vector& direction = sphere().directions()[n];
+                const double off = angle_of_units(direction, motion);
+                all[slot * directions + n] =
+                    stop != nullptr ? off_stop * square(angle_of_units(direction, stop->along) / most_aside)
+                                    : static_cast<double>(costs[n]) +
+                                          off_motion * square(angle_of_units(direction, soon) / most_aside) +
+                                          too_far_off * std::max(0.0, off / most_aside - 1);
+            }
+        }
+    });
+    return all;
+}
+
 std::vector<Vector> Director::gaze(const Trajectory& ride, int frames, std::span<const Stop> stops) const
 {
     // Slots are the frames for which the gaze is chosen: every tenth frame, and the last frame.
     const std::size_t slots = (static_cast<std::size_t>(frames) + slot_frames - 2) / slot_frames + 1;
-    const auto frame_of = [&](std::size_t slot) {
-        return std::min(slot * slot_frames, static_cast<std::size_t>(frames) - 1);
-    };
-    const double infinite = std::numeric_limits<double>::infinity();
-    std::vector<double> best(directions, 0);
+    std::vector<std::size_t> slot_at(slots);  // the frame of each slot
+    for (std::size_t slot = 0; slot < slots; ++slot)
+        slot_at[slot] = std::min(slot * slot_frames, static_cast<std::size_t>(frames) - 1);
+    const std::vector<double> costs = slot_costs(ride, slot_at, stops);
+    std::vector<double> best(costs.begin(), costs.begin() + directions);
     std::vector<std::vector<int>> before(slots, std::vector<int>(directions, -1));
-    for (std::size_t slot = 0; slot < slots; ++slot) {
-        const std::size_t frame = frame_of(slot);
-        const Vector soon = ahead(ride, frame, look_ahead);
-        const Vector motion = ahead(ride, frame, 1);
-        const auto costs = of_panorama(costs_, panorama_at(ride.sample[frame]));
-        const Stop* const stop = stop_near(stops, frame);
-        std::vector<double> now(directions, infinite);
-        for (int d = 0; d < directions; ++d) {
-            const auto n = static_cast<std::size_t>(d);
-            const Vector& direction = sphere().directions()[n];
-            const double off = angle_of_units(direction, motion);
-            const double here = stop != nullptr
-                                    ? off_stop * square(angle_of_units(direction, stop->along) / most_aside)
-                                    : static_cast<double>(costs[n]) +
-                                          off_motion * square(angle_of_units(direction, soon) / most_aside) +
-                                          too_far_off * std::max(0.0, off / most_aside - 1);
-            if (slot == 0) {
-                now[n] = here;
-                continue;
-            }
+    for (std::size_t slot = 1; slot < slots; ++slot) {
+        std::vector<double> now(directions, std::numeric_limits<double>::infinity());
+        for (std::size_t n = 0; n < directions; ++n) {
             for (const Turn& turn : turns()[n]) {
                 const double sum = best[static_cast<std::size_t>(turn.from)] + turn.cost;
                 if (sum < now[n]) {
@@ -268,7 +284,7 @@ std::vector<Vector> Director::gaze(const Trajectory& ride, int frames, std::span
                     before[slot][n] = turn.from;
                 }
             }
-            now[n] += here;
+            now[n] += costs[slot * directions + n];
         }
         best = std::move(now);
     }
@@ -282,7 +298,7 @@ std::vector<Vector> Director::gaze(const Trajectory& ride, int frames, std::span
     for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i) {
         const std::size_t slot = std::min(i / slot_frames, slots - 2);
         const double share =
-            static_cast<double>(i - frame_of(slot)) / static_cast<double>(frame_of(slot + 1) - frame_of(slot));
+            static_cast<double>(i - slot_at[slot]) / static_cast<double>(slot_at[slot + 1] - slot_at[slot]);
         const Stop* const stop = stop_near(stops, i);
         aims.push_back(stop != nullptr ? stop->along : unit((1 - share) * chosen[slot] + share * chosen[slot + 1]));
     }

@@ -56,7 +56,12 @@ private:
     // Writes the cost of each direction of a panorama to `costs`.
     static void rate(std::span<const float> depths, double clearance, std::span<float> costs);
     std::size_t panorama_at(double sample) const;
+    // Returns, for each of the given frames of a trajectory, the cost of each direction and of its angle to the motion
+    // or, near a stop, to the stop's view.
+    std::vector<double> slot_costs(const Trajectory& ride, std::span<const std::size_t> frames,
+                                   std::span<const Stop> stops) const;
 
+    int threads_;
     std::vector<double> samples_;  // for each panorama: its index in the curve
     std::vector<float> depths_;    // for each direction of each panorama
     std::vector<float> costs_;     // for each direction of each panorama; 0: a good view

@@ -233,6 +233,18 @@ std::string broken(const Audit& audit)
     return names;
 }
 
+// Returns the items of the audit that miss their thresholds, with their values.
+std::string missed_items(const Audit& audit)
+{
+    std::string items;
+    for (const Row& row : audit.rows) {
+        if (row.kept()) continue;
+        items += fmt::format("{}{} ({:.4g} {} {:.4g}{}{})", items.empty() ? "" : ", ", row.name, row.value,
+                             row.at_most ? ">" : "<", row.bar, row.unit.empty() ? "" : " ", row.unit);
+    }
+    return items.empty() ? "nothing" : items;
+}
+
 }  // namespace
 
 Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads, const Log& log,
@@ -274,8 +286,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
         }
         const Audit result = audit(path, threads, 0, audit_stride);
         const double here = faults(result);
-        say(fmt::format("tour {}: {} bars missed, {:.2f}\n{}", number, result.bars_missed(), here,
-                        table_of(path, result)));
+        say(fmt::format("tour {}: misses {}\n{}", number, missed_items(result), table_of(path, result)));
         if (here < least) {
             least = here;
             promises = broken(result);

@@ -278,8 +278,8 @@ TEST(Views, KnowThemselvesAndTheirMirrorImages)
         mirrored.depth[static_cast<std::size_t>(k)] =
             seen.depth[static_cast<std::size_t>(k / view_width * view_width + view_width - 1 - k % view_width)];
     }
-    EXPECT_NEAR(likeness(seen, mirrored), 1, 1e-9);
-    EXPECT_LT(likeness(view(0), view(300)), 0.95);
+    EXPECT_NEAR(likeness(LogDepths(seen), LogDepths(mirrored)), 1, 1e-9);
+    EXPECT_LT(likeness(LogDepths(view(0)), LogDepths(view(300))), 0.95);
     EXPECT_LT(median_motion(seen, planned().frames[200], planned().frames[200]), 1e-12);
 }
 
