@@ -211,38 +211,55 @@ private:
     double share_ = first_share;  // expected mean speed of the next tour, as a fraction of the pace
 };
 
-// Returns a penalty for missed thresholds; 0 if none is missed. A broken promise counts a thousand times as much.
+constexpr double broken_promise = 1000;  // the penalty of a broken promise, as a multiple of another item's
+
+// Returns a penalty for missed thresholds; 0 if none is missed.
 double faults(const Audit& audit)
 {
     double sum = 0;
     for (const Row& row : audit.rows) {
         if (row.kept()) continue;
         const double by = std::abs(row.value - row.bar) / std::max(std::abs(row.bar), 1.0);
-        sum += (row.promise ? 1000 : 1) * (1 + std::min(by, 5.0));
+        sum += (row.promise ? broken_promise : 1) * (1 + std::min(by, 5.0));
     }
     return sum;
 }
 
-// Returns the names of the broken promises.
-std::string broken(const Audit& audit)
-{
-    std::string names;
-    for (const Row& row : audit.rows) {
-        if (row.promise && !row.kept()) names += (names.empty() ? "" : ", ") + row.name;
-    }
-    return names;
-}
-
-// Returns the items of the audit that miss their thresholds, with their values.
-std::string missed_items(const Audit& audit)
+// Returns the items of the audit that miss their thresholds, with their values. `promises`: only promises count.
+std::string missed_items(const Audit& audit, bool promises)
 {
     std::string items;
     for (const Row& row : audit.rows) {
-        if (row.kept()) continue;
+        if (row.kept() || (promises && !row.promise)) continue;
         items += fmt::format("{}{} ({:.4g} {} {:.4g}{}{})", items.empty() ? "" : ", ", row.name, row.value,
                              row.at_most ? ">" : "<", row.bar, row.unit.empty() ? "" : " ", row.unit);
     }
     return items.empty() ? "nothing" : items;
+}
+
+// The best flight of all tours so far.
+struct Best {
+    Path path;  // empty: no tour is long enough and passes all places
+    double faults = 1e300;
+    std::string promises;  // the broken ones
+};
+
+// Throws Error if no tour gave a flight that keeps all promises, and InputError if tours missed a place.
+void check_found(const Best& best, const std::string& missed_place, std::uint64_t seed, int frames, std::size_t gates)
+{
+    if (best.path.frames.empty()) {
+        if (!missed_place.empty()) throw InputError(missed_place);
+        throw Error(
+            fmt::format("plan: no tour of seed {} is long enough for {} frames among {} gates, expected fewer "
+                        "frames, another seed or a shape with more gates",
+                        seed, frames, gates));
+    }
+    if (best.faults >= broken_promise) {
+        throw Error(
+            fmt::format("plan: no tour of seed {} among {} gates keeps every promise, the best breaks: {}; "
+                        "expected another seed or a shape with more gates",
+                        seed, gates, best.promises));
+    }
 }
 
 }  // namespace
@@ -270,13 +287,12 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 12;
     constexpr int most_missed = 6;  // tours that miss a place, if no tour has visited all places
-    Plan best;
-    double least = 1e300;
-    std::string promises;
+    Best best;
+    int attempts = 0;
     for (int number = 0; number < most_attempts; ++number) {
         budget.check();
         Path path = planner.attempt(number);
-        ++best.attempts;
+        ++attempts;
         if (path.frames.empty()) {
             say(planner.missed().empty()
                     ? fmt::format("tour {}: too short{}", number, schedule.changes() ? ", or not in time" : "")
@@ -286,31 +302,13 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
         }
         const Audit result = audit(path, threads, 0, audit_stride);
         const double here = faults(result);
-        say(fmt::format("tour {}: misses {}\n{}", number, missed_items(result), table_of(path, result)));
-        if (here < least) {
-            least = here;
-            promises = broken(result);
-            best.path = std::move(path);
-        }
-        if (least == 0 || (number + 1 >= usual_attempts && least < 1000)) break;
+        say(fmt::format("tour {}: misses {}\n{}", number, missed_items(result, false), table_of(path, result)));
+        if (here < best.faults) best = {std::move(path), here, missed_items(result, true)};
+        if (best.faults == 0 || (number + 1 >= usual_attempts && best.faults < broken_promise)) break;
     }
-    best.seconds = seconds();
-    best.balls = planner.atlas().balls();
-    best.gates = planner.atlas().gates();
-    if (best.path.frames.empty()) {
-        if (!planner.missed().empty()) throw InputError(planner.missed());
-        throw Error(
-            fmt::format("plan: no tour of seed {} is long enough for {} frames among {} gates, expected fewer "
-                        "frames, another seed or a shape with more gates",
-                        seed, frames, best.gates.size()));
-    }
-    if (least >= 1000) {
-        throw Error(
-            fmt::format("plan: no tour of seed {} among {} gates keeps every promise, the best breaks: {}; "
-                        "expected another seed or a shape with more gates",
-                        seed, best.gates.size(), promises));
-    }
-    return best;
+    std::vector<Ball> gates = planner.atlas().gates();
+    check_found(best, planner.missed(), seed, frames, gates.size());
+    return {std::move(best.path), seconds(), attempts, planner.atlas().balls(), std::move(gates)};
 }
 
 }  // namespace mandelmarch
