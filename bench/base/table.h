@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ std::string digits(double value);
 
 // Multiplies both ends of an interval by `unit` and formats them: "[12.30, 12.45]".
 std::string interval_text(const Interval& interval, double unit = 1);
+
+// Formats an interval as above or, if there is none, the number of values: "n = 3".
+std::string interval_text(const std::optional<Interval>& interval, int count, double unit = 1);
 
 // Returns a line for each text: `start`, then the text. Replaces unprintable characters and truncates long lines.
 std::string notes(const std::string& start, const std::vector<std::string>& texts);
