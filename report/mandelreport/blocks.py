@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contents of a section: figures, tables, and notes for missing data. The templates' macro `show` prints them, and
+"""Contents of a section: figures, tables, output of programs, and notes for missing data. The templates' macro `show` prints them, and
 Numbers numbers them."""
 
 from __future__ import annotations
@@ -44,6 +44,15 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Output:
+    """The output of a program, line by line. `wide`: its lines need small letters on paper."""
+
+    text: str
+    wide: bool = True
+    kind: str = "output"
+
+
+@dataclass(frozen=True)
 class Missing:
     """A part without data, and the command that produces the data."""
 
@@ -52,7 +61,7 @@ class Missing:
     kind: str = "missing"
 
 
-Block = Figure | Table | Missing
+Block = Figure | Table | Output | Missing
 
 
 def ref(name: str) -> Markup:

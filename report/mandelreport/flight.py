@@ -29,9 +29,6 @@ class FlightMap:
         """Returns the size of the hull: half the cube's edge, or the sphere's radius."""
         return self.data["hull"]["size"]
 
-    def series(self, key: str) -> list[float]:
-        return self.data[key]
-
     @property
     def seconds(self) -> list[float]:
         """Returns the time of each frame, from the start of the flight."""

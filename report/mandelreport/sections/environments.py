@@ -121,4 +121,4 @@ def section(material: Material) -> dict[str, Any]:
     headers = ["file", "study", "machine", "runs", "revision", "date"]
     tables = _tables(material) + ([Table(headers, others, "Other result files.", [3])] if others else [])
     warnings = [(material.letter(b.name), b.data["warnings"]) for b in material.results.study("standard") if b.data["warnings"]]
-    return {"tables": tables, "warnings": warnings, "missing": Missing("The environment of the timings", "make bench")}
+    return {"blocks": tables or [Missing("The environment of the timings", "make bench")], "warnings": warnings}
