@@ -2,13 +2,11 @@
 """Contents of a section: figures, tables, output of programs, and notes for missing data. The templates' macro `show` prints them, and
 Numbers numbers them."""
 
-from __future__ import annotations
-
 import base64
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from markupsafe import Markup
 
@@ -62,6 +60,10 @@ class Missing:
 
 
 Block = Figure | Table | Output | Missing
+
+
+def seen(figure: Figure | None, see: str) -> Figure | None:
+    return figure and replace(figure, see=see)
 
 
 def ref(name: str) -> Markup:

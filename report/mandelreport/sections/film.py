@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Choice of the frames, a frame, and the film's summary that the assignment requires."""
 
-from __future__ import annotations
-
-import dataclasses
 from pathlib import Path
 from typing import Any
 
 from PIL import Image
 
-from ..blocks import Figure, Missing, Table, data_uri
+from ..blocks import Figure, Missing, Table, data_uri, seen
 from ..figures import flight as figures
 from ..flight import Film
 from ..pictures import ROOT, encoded
@@ -59,10 +56,7 @@ def _frame() -> Figure:
 def section(material: Material) -> dict[str, Any]:
     results = material.results
     map_command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
-    ground = dataclasses.replace(
-        figures.ground(results.maps[-1]),
-        see="the path (red) stays within the free balls (pale) and leads from passage to passage (diamonds).",
-    ) if results.maps else None
+    ground = figures.ground(results.maps[-1]) if results.maps else None
     promises = [row for audit in results.audits for row in audit["rows"] if row["promise"]]
     return {
         "frame": _frame(),
@@ -70,7 +64,8 @@ def section(material: Material) -> dict[str, Any]:
         "cost": material.answers.film(),
         "films": [_table(film) for film in results.films]
         or [Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary report/results/film.json")],
-        "map": ground or Missing("The map and the path", map_command),
+        "map": seen(ground, "the path (red) stays within the free balls (pale) and leads from passage to passage (diamonds).")
+        or Missing("The map and the path", map_command),
         "sheets": [_sheet(path) for path in results.contact_sheets] or [Missing("The contact sheet", "make contact-sheet")],
         "promises": len(promises),
         "kept": sum(row["kept"] for row in promises),
