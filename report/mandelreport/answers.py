@@ -2,8 +2,6 @@
 """Answers on the front page. Each public method of Answers returns the values for the sentences of one answer, or None
 if there is no data for it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from markupsafe import Markup

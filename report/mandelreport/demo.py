@@ -4,8 +4,6 @@ differences and times.
 
 Needs no package but Jinja. Exit codes: 0 success, 1 a file cannot be written, 2 wrong arguments or bad input."""
 
-from __future__ import annotations
-
 import argparse
 import hashlib
 import json

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Output of flythrough for the report: maps, audits, and summaries of films."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from typing import Any

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders the official scenes on every backend with the built programs, once for each program, scene and setting."""
 
-from __future__ import annotations
-
 import dataclasses
 import functools
 import hashlib

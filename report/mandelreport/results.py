@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds all files below the results folder and identifies the kind of each by its content, not by its name."""
 
-from __future__ import annotations
-
 import dataclasses
 import functools
 import json

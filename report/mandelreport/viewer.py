@@ -2,8 +2,6 @@
 """The live viewer of templates/viewer.html.j2: its shaders (the kernel source as GLSL ES 3.00, through glslang and
 spirv-cross), the table of fractals as JavaScript, and its scripts."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

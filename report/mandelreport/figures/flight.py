@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of a flight: the steps from the seed to the film, free space, the path, and measurements along it."""
 
-from __future__ import annotations
-
 import math
 
 from matplotlib.collections import PatchCollection

@@ -3,8 +3,6 @@
 section's template. The module front is the first page. The main part and the appendix follow, in the order of
 page.py."""
 
-from __future__ import annotations
-
 import functools
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Chapters of the documentation on the design of backends and on films, and the K40's registers."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from ..blocks import Missing, Output

@@ -2,8 +2,6 @@
 """Environments of all measurements: a line for each result of the standard study, for each machine and build, for each
 set of compiler, flags and driver, and for each other file."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 

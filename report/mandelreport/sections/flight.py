@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Flights: paths over time, audits, studies, and the choice of the frames."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from ..blocks import Missing, Output, Table

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Expected and measured times of GPUs, in a table for each GPU."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Agreement of all pictures: both scenes, and the results of verification."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from PIL import Image

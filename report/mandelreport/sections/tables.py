@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of the primary study and of performance portability. All results of the standard study are in a CSV file."""
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

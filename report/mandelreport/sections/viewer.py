@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The live viewer."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from .. import viewer
