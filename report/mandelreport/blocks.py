@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contents of a section: figures, tables, output of programs, and notes for missing data. The templates' macro `show` prints them, and
-Numbers numbers them."""
+"""Contents of a section: figures, tables, output of programs, and notes for missing data. The templates' macro `show`
+prints them, and Numbers numbers them."""
 
 import base64
 import re

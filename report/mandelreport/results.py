@@ -131,7 +131,9 @@ class Results:
         rows = [one for one in self.timed(("standard", "resolution"), **wanted) if one[1].size == size]
         return max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count), default=None)
 
-    def fastest_gpu(self, size: tuple[int, int], names: Iterable[str] = ("",), **wanted: str) -> tuple[Bench, Row] | None:
+    def fastest_gpu(
+        self, size: tuple[int, int], names: Iterable[str] = ("",), **wanted: str
+    ) -> tuple[Bench, Row] | None:
         """Returns the fastest row of a GPU with this picture size and the given field values in the standard study.
         `names`: parts of names; one of them must be in the GPU's name."""
         rows = [one for one in self.timed(("standard",), is_gpu=True, **wanted) if one[1].size == size]

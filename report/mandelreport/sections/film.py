@@ -13,6 +13,7 @@ from ..pictures import ROOT, encoded
 from ..text import digits
 from . import Material
 
+GROUND = "the path (red) stays within the free balls (pale) and leads from passage to passage (diamonds)."
 SHEET_WIDTH = 1600  # pixels
 SHEET_QUALITY = 80
 
@@ -64,9 +65,9 @@ def section(material: Material) -> dict[str, Any]:
         "cost": material.answers.film(),
         "films": [_table(film) for film in results.films]
         or [Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary report/results/film.json")],
-        "map": seen(ground, "the path (red) stays within the free balls (pale) and leads from passage to passage (diamonds).")
-        or Missing("The map and the path", map_command),
-        "sheets": [_sheet(path) for path in results.contact_sheets] or [Missing("The contact sheet", "make contact-sheet")],
+        "map": seen(ground, GROUND) or Missing("The map and the path", map_command),
+        "sheets": [_sheet(path) for path in results.contact_sheets]
+        or [Missing("The contact sheet", "make contact-sheet")],
         "promises": len(promises),
         "kept": sum(row["kept"] for row in promises),
         "flights": len(results.audits),

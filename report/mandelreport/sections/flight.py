@@ -46,5 +46,6 @@ def section(material: Material) -> dict[str, Any]:
         "no_maps": Missing("The map, the path and its measurements", command),
         "audits": [_audit_table(audit) for audit in results.audits]
         or [Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json")],
-        "studies": list(map(Output, results.flight_studies)) or [Missing("The study of seeds, anti-aliasing and segments", "make flight-study")],
+        "studies": [Output(study) for study in results.flight_studies]
+        or [Missing("The study of seeds, anti-aliasing and segments", "make flight-study")],
     }

@@ -31,7 +31,8 @@ def _table(material: Material, gpu: str, text: str) -> Table | None:
     for words, one in zip(lines, found, strict=True):
         cells = list(words)
         if any(found):
-            cells += [time_cell(one[1]), digits(1e3 * one[1].kernel.median / float(words[-2]))] if one else ["–", "–"]
+            row = one and one[1]
+            cells += [time_cell(row), digits(1e3 * row.kernel.median / float(words[-2]))] if row else ["–", "–"]
         rows.append([*cells, _host(material, words)])
     headers = [*HEADERS, *(["measured ms", "measured / from"] if any(found) else []), f"{material.backends.host} on the host, ms"]
     return Table(

@@ -69,7 +69,8 @@ def _show(material: Material, pictures: dict[Key, Picture], fractal: str) -> lis
         first = same[0]
         keys = [picture.key for picture in same]
         names = _names(keys)
-        figure = Figure(encoded(first.image, "webp", lossless=True, quality=80, method=4), f"The {fractal}'s official scene, rendered by {names}.", names)
+        source = encoded(first.image, "webp", lossless=True, quality=80, method=4)
+        figure = Figure(source, f"The {fractal}'s official scene, rendered by {names}.", names)
         # Compares with the reference's picture in the same mode, in double.
         canonical = pictures.get(Key(fractal, "double", first.key.mode, material.backends.reference))
         drawn = None
@@ -188,9 +189,9 @@ def _random(results: list[dict[str, Any]]) -> Table:
     return Table(
         headers,
         rows,
-        "Fast pictures of random scenes compared with the reference's canonical ones (bench random): pixels that differ visibly, and "
-        "pixels that hit the surface in one picture only. Limited by float: in exact mode, too, more than 2 % of the pixels differ "
-        "between float and double.",
+        "Fast pictures of random scenes compared with the reference's canonical ones (bench random): pixels that "
+        "differ visibly, and pixels that hit the surface in one picture only. Limited by float: in exact mode, too, "
+        "more than 2 % of the pixels differ between float and double.",
         [3, 4, 5, 6, 7, 8],
     )
 

@@ -89,8 +89,8 @@ def _portability(material: Material) -> list[dict[str, Any]]:
     standard = material.results.machines()
     program = material.studio.render.with_name("bench")
     if len(standard) > 1 and program.exists():
-        files = (bench.path for bench in standard)
-        return checked("bench portability", json.loads(output_of(program, "portability", *files, "--json", "-")), "portability")
+        text = output_of(program, "portability", *(bench.path for bench in standard), "--json", "-")
+        return checked("bench portability", json.loads(text), "portability")
     return standard[0].data["portability"] if standard else []
 
 
@@ -196,5 +196,7 @@ def section(material: Material) -> dict[str, Any]:
         "cascade": portability.cascade(metric, material.backends),
         "lines_of_code": _lines_of_code(divergence) if divergence else None,
         "navigation": portability.navigation(metric, divergence, material.backends) if divergence else None,
-        "loop_mix": Output(mix, wide=False) if mix else Missing("The instructions of the estimators' loops", "make loop-mix"),
+        "loop_mix": Output(mix, wide=False)
+        if mix
+        else Missing("The instructions of the estimators' loops", "make loop-mix"),
     }

@@ -153,7 +153,7 @@ def section(material: Material) -> dict[str, Any]:
         "missing": Missing("The answer", "bin/bench --study box-vs-bulb --json report/results/box-vs-bulb.json"),
         "ratios": seen(
             figure,
-            "a register holds two floats per double, and the estimators' loops have more instructions in double (Appendix B): together "
-            "a factor of more than two if a backend uses SIMD. Scalar code gains less.",
+            "a register holds two floats per double, and the estimators' loops have more instructions in double "
+            "(Appendix B): together a factor of more than two if a backend uses SIMD. Scalar code gains less.",
         ),
     }
