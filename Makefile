@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Thin targets over the CMake presets; `make help` lists them. The targets that run tools/setup or report/setup, such as
-# `make demo` and `make test`, install missing packages on Debian 12 and 13; other targets print which are missing.
+# Thin targets over the CMake presets; `make help` lists them. The targets that run tools/setup, such as `make demo`
+# and `make test`, install missing packages on Debian 12 and 13; other targets print which are missing.
 PRESET ?= release
 PREFIX ?= /usr/local
 BUILD := build/$(PRESET)
@@ -175,14 +175,14 @@ docs-figures: ## update the figures in README and docs from report/results (1 s)
 
 RESULTS ?= report/results
 report: python ## a report on report/results, with new pictures: report/out/report.html (2 min, estimated)
-	@report/setup
+	@tools/setup report
 	@tools/build $(HERE) bench render imgdiff
 	@$(call take,$(HERE),bench render imgdiff)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport --results $(RESULTS)
 	@report/docs
 
 report-check: ## check the report in a headless browser: errors, the slider, the viewer (3 min, estimated)
-	@report/setup
+	@tools/setup report
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.check report/out/report.html
 
 # On a machine with just a GPU: bash gpu_check mandelmarch-*.tar.gz OUT; then here: make gpu-results FILE=results.tgz.

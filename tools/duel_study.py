@@ -11,7 +11,6 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from table_file import put
 
 ROWS = ["--backend", "openmp", "--precision", "float", "--mode", "exact", "--size", "320x180", "--runs", "10", "--repetitions", "20"]

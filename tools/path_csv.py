@@ -9,15 +9,15 @@ NEW.json: PATH.json with the table's cameras and shapes, in the order of the col
 members that PATH.json has for its number; a frame beyond PATH.json's last one gets those of the last. Tables from
 spreadsheets are supported: with a byte-order mark or in UTF-16, with semicolons or tabs (and then decimal commas), with
 empty lines.
-Exit code 2: a file cannot be read or is invalid."""
+Exit codes: 0 success, 1 a file cannot be written, 2 a file cannot be read or is invalid."""
 import codecs
 import csv
 import io
 import json
 import math
-import os
 import sys
-import tempfile
+
+from table_file import put_file
 
 VECTORS = ("location", "look_at", "up")
 COLUMNS = ["frame"] + [f"{name}_{axis}" for name in VECTORS for axis in "xyz"] + ["field_of_view"]
@@ -45,18 +45,6 @@ def line_of(path):
     head = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in path.items() if key != "frames"]
     frames = ",\n".join(json.dumps(frame) for frame in path["frames"])
     return "{\n" + ",\n".join(head) + ',\n"frames": [\n' + frames + "\n]\n}\n"
-
-
-def put(name, text):
-    """Writes a file, completely or not at all."""
-    try:
-        with tempfile.NamedTemporaryFile("w", encoding="utf-8", newline="", dir=os.path.dirname(os.path.abspath(name)),
-                                         delete=False) as file:
-            file.write(text)
-        os.chmod(file.name, 0o644)
-        os.replace(file.name, name)
-    except OSError as error:
-        stop(f"{name}: {error.strerror}")
 
 
 def table_of(path):
@@ -131,9 +119,9 @@ def with_table(path, name):
 
 def main(arguments):
     if len(arguments) == 3 and arguments[0] == "export":
-        put(arguments[2], table_of(read_path(arguments[1])))
+        put_file(table_of(read_path(arguments[1])), arguments[2])
     elif len(arguments) == 4 and arguments[0] == "import":
-        put(arguments[3], line_of(with_table(read_path(arguments[1]), arguments[2])))
+        put_file(line_of(with_table(read_path(arguments[1]), arguments[2])), arguments[3])
     else:
         print(__doc__, file=sys.stderr)
         sys.exit(2)

@@ -155,10 +155,7 @@ std::vector<double> group_medians(std::span<const double> values)
 std::optional<Interval> run_interval(std::span<const double> medians)
 {
     if (medians.size() < 2 || !all_positive(medians)) return std::nullopt;
-    const Moments m = moments(medians);
-    const boost::math::students_t distribution(m.degrees);
-    const double reach = quantile(distribution, (1 + confidence) / 2) * std::sqrt(m.variance_of_mean);
-    return Interval{std::exp(m.mean - reach), std::exp(m.mean + reach)};
+    return tested(moments(medians), 0).interval;
 }
 
 Summary summary(const ValuesByRun& runs)

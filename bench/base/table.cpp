@@ -24,6 +24,11 @@ std::string interval_text(const Interval& interval, double unit)
     return fmt::format("[{}, {}]", digits(unit * interval.low), digits(unit * interval.high));
 }
 
+std::string interval_text(const std::optional<Interval>& interval, int count, double unit)
+{
+    return interval ? interval_text(*interval, unit) : fmt::format("n = {}", count);
+}
+
 std::string notes(const std::string& start, const std::vector<std::string>& texts)
 {
     std::string lines;

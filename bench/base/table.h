@@ -2,7 +2,11 @@
 // Numbers and lines of tables for the console.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +23,22 @@ std::string digits(double value);
 // Multiplies both ends of an interval by `unit` and formats them: "[12.30, 12.45]".
 std::string interval_text(const Interval& interval, double unit = 1);
 
+// Formats an interval as above or, if there is none, the number of values: "n = 3".
+std::string interval_text(const std::optional<Interval>& interval, int count, double unit = 1);
+
 // Returns a line for each text: `start`, then the text. Replaces unprintable characters and truncates long lines.
 std::string notes(const std::string& start, const std::vector<std::string>& texts);
+
+// Returns the names of a list's elements, with `between` between them. `name`: returns an element's name.
+template <class List, class Name = std::identity>
+std::string joined(const List& list, const char* between, const Name& name = {})
+{
+    std::string text;
+    for (const auto& element : list) {
+        text += fmt::format("{}{}", text.empty() ? "" : between, std::invoke(name, element));
+    }
+    return text;
+}
 
 // Truncates a line to `most` characters.
 std::string clipped(const std::string& line, std::size_t most);

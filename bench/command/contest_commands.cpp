@@ -92,7 +92,6 @@ Run duel_command(CLI::App& app, const Registry& registry)
         return state->outputs.deliver({options.old_program, options.new_program}, [&]() -> Outputs::Done {
             Display display;
             state->found = judged(run_duel(options, shown(display, "duel")));
-            display.finish();
             return {to_console(state->found), state->found.runs == options.runs && !regression(state->found.verdicts)};
         });
     };
@@ -131,7 +130,6 @@ Run race_command(CLI::App& app, const Registry& registry)
         return state->outputs.deliver(read, [&]() -> Outputs::Done {
             Display display;
             state->found = run_race(state->options, registry, shown(display, "race"));
-            display.finish();
             return {to_console(state->found), state->found.passed()};
         });
     };
@@ -156,7 +154,6 @@ Run random_command(CLI::App& app, const Registry& registry)
         return state->outputs.deliver({}, [&]() -> Outputs::Done {
             Display display;
             state->found = measure_random(registry, state->options, shown(display, "canonical pictures"));
-            display.finish();
             return {to_console(state->found), state->found.passed()};
         });
     };
@@ -184,7 +181,6 @@ Run equivalence_command(CLI::App& app, const Registry& registry)
             found = compare_backends(
                 registry, state->options, [&](const Discrepancy& d) { show(d, *folder); },
                 shown(display, "random scenes"));
-            display.finish();
             return {to_console(found), found.failures.empty() && found.discrepancies.empty()};
         });
     };

@@ -8,7 +8,6 @@
 #include "bench/judge/portability.h"
 #include "bench/files/result_file.h"
 #include "bench/print/printers.h"
-#include "bench/command/schemas.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -52,16 +51,6 @@ Run csv_command(CLI::App& app, const Registry& /*registry*/)
 Run json_command(CLI::App& app, const Registry& /*registry*/)
 {
     return with_file(app, [](const std::string& path) { return text_of(upgraded_json(path)); });
-}
-
-Run schema_command(CLI::App& app, const Registry& /*registry*/)
-{
-    const auto kind = std::make_shared<std::string>();
-    app.add_option("KIND", *kind, "kind of file")->required()->check(CLI::IsMember(schema_kinds()));
-    return [kind]() -> int {
-        print(std::string_view(schema_text(*kind)));
-        return exit_success;
-    };
 }
 
 Run compare_command(CLI::App& app, const Registry& /*registry*/)

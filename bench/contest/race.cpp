@@ -89,13 +89,10 @@ std::string to_console(const Race& race)
         }
         const Summary& s = *racer.wall;
         const auto& ratio = racer.times_ours;
-        const auto interval = [](const std::optional<Interval>& i, double unit, int count) {
-            return i ? interval_text(*i, unit) : fmt::format("n = {}", count);
-        };
         line(fmt::format("{:<28} {:<13} {:>9} {:<20} {:>8} {:<16} {:>7.0f} {:>5}", name_in_table(racer), verdict,
-                         digits(1e3 * s.median), interval(s.interval, 1e3, s.count), ratio ? digits(ratio->ratio) : "",
-                         ratio ? interval(ratio->interval, 1, s.count) : "", 1e-6 * static_cast<double>(racer.memory),
-                         racer.exit_code.value_or(0)));
+                         digits(1e3 * s.median), interval_text(s.interval, s.count, 1e3),
+                         ratio ? digits(ratio->ratio) : "", ratio ? interval_text(ratio->interval, s.count) : "",
+                         1e-6 * static_cast<double>(racer.memory), racer.exit_code.value_or(0)));
     }
     text += fmt::format("{}, {} x {} pixels, {} runs of each whole process in alternation, {:g} s at most\n",
                         race.fractal, race.width, race.height, race.rounds, race.limit);

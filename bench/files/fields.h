@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Describes a record once, as a list of its fields. The JSON writer and reader, the columns of the CSV and the
-// published JSON Schema are derived from this list. To describe a record, specialise Fields, as in
+// published JSON Schema are derived from this list. To describe a record, specialise fields_of, as in
 // bench/files/result_fields.h.
 //
-// A field's value may be a bool, a number, a text, an enumeration (Names), an Interval, JSON, a described record, a
-// std::optional or std::vector of these, or a std::array with a name for each element (Keys). A std::map whose keys are
-// names is written, but not read.
+// A field's value may be a bool, a number, a text, an enumeration (values_of), an Interval, JSON, a described record, a
+// std::optional or std::vector of these, or a std::array with a name for each element (keys_of). A std::map whose keys
+// are names is written, but not read.
 #pragma once
 
 #include <fmt/format.h>
@@ -61,32 +61,41 @@ constexpr Field<Member, false> derived_field(const char* key, Member member, con
     return {key, member, column, rule};
 }
 
-// Fields<Record>::name is the record's name in the schema. Fields<Record>::list is a std::tuple of the record's fields.
+// The record's name in the schema, and its fields.
+template <class... Fields>
+struct Description {
+    const char* name;
+    std::tuple<Fields...> list;
+
+    explicit constexpr Description(const char* record, Fields... fields) : name(record), list(fields...) {}
+};
+
+// Returns the description of a record that has the fields of `base`, its base class, after its own.
+template <class... Own, class... Base>
+constexpr auto extended(const Description<Own...>& own, const Description<Base...>& base)
+{
+    return std::apply(
+        [&](const auto&... fields) {
+            return Description{own.name, fields...};
+        },
+        std::tuple_cat(own.list, base.list));
+}
+
+// The description of a record, the values of an enumeration, whose texts name_of() returns, and the keys of an array
+// that is stored as an object; nullptr for other types.
 template <class Record>
-struct Fields;
-template <class T>
-concept Described = requires
-{
-    Fields<T>::list;
-};
-
-// Names<Enum>::values lists an enumeration's values; name_of() returns their texts.
+inline constexpr std::nullptr_t fields_of = nullptr;
 template <class Enum>
-struct Names;
-template <class T>
-concept Named = requires
-{
-    Names<T>::values;
-};
-
-// Keys<Array>::list has the keys of an array that is stored as an object.
+inline constexpr std::nullptr_t values_of = nullptr;
 template <class Array>
-struct Keys;
+inline constexpr std::nullptr_t keys_of = nullptr;
+
 template <class T>
-concept Keyed = requires
-{
-    Keys<T>::list;
-};
+concept Described = !std::is_null_pointer_v<decltype(fields_of<T>)>;
+template <class T>
+concept Named = !std::is_null_pointer_v<decltype(values_of<T>)>;
+template <class T>
+concept Keyed = !std::is_null_pointer_v<decltype(keys_of<T>)>;
 
 template <class T>
 struct Element;  // ::type is the type of the elements of a std::optional or std::vector
@@ -115,7 +124,7 @@ concept List = std::is_same_v<T, std::vector<typename Element<T>::type>>;
 template <class Record, class Each>
 void each_field(const Each& each)
 {
-    std::apply([&](const auto&... fields) { (each(fields), ...); }, Fields<Record>::list);
+    std::apply([&](const auto&... fields) { (each(fields), ...); }, fields_of<Record>.list);
 }
 
 template <class Record, class Member>
@@ -166,7 +175,7 @@ Json to_json(const T& value, const Rule& rule)
         return json;
     } else if constexpr (Keyed<T>) {
         Json json = Json::object();
-        for (std::size_t i = 0; i < value.size(); ++i) json[Keys<T>::list[i]] = to_json(value[i], rule);
+        for (std::size_t i = 0; i < value.size(); ++i) json[keys_of<T>[i]] = to_json(value[i], rule);
         return json;
     } else if constexpr (List<T>) {
         Json list = Json::array();
@@ -240,7 +249,7 @@ template <Named Enum>
 void name_from_json(const Json& json, Enum& value)
 {
     std::string names;
-    for (const Enum one : Names<Enum>::values) {
+    for (const Enum one : values_of<Enum>) {
         if (json.is_string() && json.get_ref<const std::string&>() == name_of(one)) {
             value = one;
             return;
@@ -278,7 +287,7 @@ void from_json(const Json& json, T& value, const Rule& rule)
     } else if constexpr (Optional<T>) {
         if (!json.is_null()) from_json(json, value.emplace(), rule);
     } else if constexpr (Keyed<T>) {
-        for (std::size_t i = 0; i < value.size(); ++i) member_from_json(json, Keys<T>::list[i], value[i], rule);
+        for (std::size_t i = 0; i < value.size(); ++i) member_from_json(json, keys_of<T>[i], value[i], rule);
     } else if constexpr (List<T>) {
         if (!json.is_array()) refuse(json, "a list");
         for (std::size_t i = 0; i < json.size(); ++i) {

@@ -34,19 +34,13 @@ constexpr Rule about(Rule rule, const char* text)
 }  // namespace rules
 
 template <>
-struct Names<Precision> {
-    static constexpr std::array values{Precision::f32, Precision::f64};
-};
+inline constexpr auto values_of<Precision> = std::array{Precision::f32, Precision::f64};
 template <>
-struct Names<Mode> {
-    static constexpr std::array values{Mode::exact, Mode::fast};
-};
+inline constexpr auto values_of<Mode> = std::array{Mode::exact, Mode::fast};
 
 template <>
-struct Names<Verdict> {
-    static constexpr std::array values{Verdict::faster,    Verdict::slower,       Verdict::same,
-                                       Verdict::undecided, Verdict::wrong,        Verdict::missing,
-                                       Verdict::only_new,  Verdict::not_compared, Verdict::no_speed};
-};
+inline constexpr auto values_of<Verdict> =
+    std::array{Verdict::faster,  Verdict::slower,   Verdict::same,         Verdict::undecided, Verdict::wrong,
+               Verdict::missing, Verdict::only_new, Verdict::not_compared, Verdict::no_speed};
 
 }  // namespace mandelmarch::bench

@@ -15,11 +15,6 @@ namespace {
 constexpr double near_enough = 0.05;
 constexpr int most_repeats = 3;  // further measurements of a doubtful peak
 
-bool same_device(const Peak& a, const Peak& b)
-{
-    return a.platform == b.platform && a.backend == b.backend && a.device == b.device && a.precision == b.precision;
-}
-
 // Returns the second highest rate; 0 if there is none.
 double second(const std::vector<Peak>& peaks) { return peaks.size() < 2 ? 0 : peaks[1].rate; }
 
@@ -31,7 +26,7 @@ void PeakRecord::add(const std::vector<Peak>& peaks)
 {
     for (const Peak& peak : peaks) {
         auto same = std::ranges::find_if(
-            measured_, [&](const std::vector<Peak>& known) { return same_device(known.front(), peak); });
+            measured_, [&](const std::vector<Peak>& known) { return known.front().same_device(peak); });
         if (same == measured_.end()) same = measured_.insert(same, std::vector<Peak>());
         same->insert(std::ranges::lower_bound(*same, peak.rate, std::greater(), &Peak::rate), peak);
     }
@@ -109,7 +104,7 @@ PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again)
         const std::vector<Peak> doubtful = record.doubtful();
         if (doubtful.empty()) break;
         record.add(again([&](const Peak& peak) {
-            return std::ranges::any_of(doubtful, [&](const Peak& d) { return same_device(d, peak); });
+            return std::ranges::any_of(doubtful, [&](const Peak& d) { return d.same_device(peak); });
         }));
     }
     return record;

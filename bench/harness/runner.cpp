@@ -138,19 +138,12 @@ Sample draw_sample(TimedCase& row, Image& image)
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});
     Sample sample;
     const double processor = processor_seconds();
-    const auto add = [&](const Timings& t) {
-        sample.kernel += t.kernel;
-        sample.host += t.host;
-        sample.wall += t.wall;
-        sample.upload += t.upload;
-        sample.readback += t.readback;
-    };
     if (frames == 0) {
-        add(row.renderer->render(one.scene, image).timings);
+        sample.add(row.renderer->render(one.scene, image).timings);
     } else {
         const auto start = Clock::now();
         const auto renderer = one.backend->create(one.options);
-        for (int frame = 0; frame < frames; ++frame) add(renderer->render(one.scene, image).timings);
+        for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(one.scene, image).timings);
         sample.wall = seconds_since(start);
         for (double Sample::*part :
              {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
@@ -178,14 +171,8 @@ void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
     if (rules.repetitions) return;
     for (TimedCase& live : rows) {
         if (live.expected <= rules.long_picture) continue;
-        const Timings& t = live.first.timings;
-        live.one->row.samples.push_back({.run = rules.run,
-                                         .round = 0,
-                                         .kernel = t.kernel,
-                                         .wall = t.wall,
-                                         .upload = t.upload,
-                                         .readback = t.readback,
-                                         .host = t.host});
+        live.one->row.samples.push_back({.run = rules.run});
+        live.one->row.samples.back().add(live.first.timings);
         live.done = true;
     }
 }

@@ -12,7 +12,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "bench/machine/build_info.h"
 #include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/base/environment.h"
@@ -148,23 +147,24 @@ Json environment(const Registry& registry)
 {
     utsname system{};
     uname(&system);
-    const BuildInfo build = build_info();
-    return {
-        {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                             fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))},
-        {"git", {{"revision", source_revision()}, {"dirty", sources_changed()}}},
-        {"build",
-         {{"type", build.type}, {"compiler", build.compiler}, {"flags", build.flags}, {"version", project_version()}}},
-        {"cpu", cpu()},
-        {"memory", memory()},
-        {"os",
-         {{"name", or_null(value_in("/etc/os-release", "PRETTY_NAME", '='))},
-          {"kernel", fmt::format("{} {}", system.sysname, system.release)},
-          {"boot", or_null(first_line("/proc/sys/kernel/random/boot_id"))},
-          {"architecture", system.machine}}},
-        {"backends", backends(registry)},
-        {"icds", icds(registry)},
-        {"variables", recorded_variables()}};
+    return {{"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                                 fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))},
+            {"git", {{"revision", source_revision()}, {"dirty", sources_changed()}}},
+            {"build",
+             {{"type", MANDELMARCH_BUILD_TYPE},
+              {"compiler", MANDELMARCH_CXX},
+              {"flags", MANDELMARCH_CXX_FLAGS},
+              {"version", project_version()}}},
+            {"cpu", cpu()},
+            {"memory", memory()},
+            {"os",
+             {{"name", or_null(value_in("/etc/os-release", "PRETTY_NAME", '='))},
+              {"kernel", fmt::format("{} {}", system.sysname, system.release)},
+              {"boot", or_null(first_line("/proc/sys/kernel/random/boot_id"))},
+              {"architecture", system.machine}}},
+            {"backends", backends(registry)},
+            {"icds", icds(registry)},
+            {"variables", recorded_variables()}};
 }
 
 }  // namespace mandelmarch::bench

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <utility>
 
+#include "bench/base/table.h"
 #include "bench/result/figures.h"
 #include "core/base/cores.h"
 #include "core/base/files.h"
@@ -121,11 +122,8 @@ std::string unlike_threads(const Result& result)
         unlike = unlike || (!known.empty() && known.front().second != row.threads);
         known.push_back(here);
     }
-    std::string text;
-    for (const auto& [backend, threads] : known) {
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", backend, threads);
-    }
-    return unlike ? text : std::string();
+    const auto text_of = [](const auto& one) { return fmt::format("{} {}", one.first, one.second); };
+    return unlike ? joined(known, ", ", text_of) : std::string();
 }
 
 }  // namespace

@@ -19,12 +19,6 @@ std::string short_name(const std::string& fractal)
     return fractal == "all" ? fractal : std::string(fractal_named(fractal).short_name);
 }
 
-// Returns the interval, "[12.30, 12.45]", or the number of values, "n = 3", if there is no interval.
-std::string interval(const Summary& s, double unit)
-{
-    return s.interval ? interval_text(*s.interval, unit) : fmt::format("n = {}", s.count);
-}
-
 std::string percent(const std::optional<double>& share)
 {
     return share ? fmt::format("{:.1f}%", 100 * *share) : std::string("-");
@@ -73,8 +67,8 @@ std::string main_table(const Result& result, bool sweep)
             text +=
                 line(head(row), row.sweep_value,
                      fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", row.verification.text,
-                                 digits(1e3 * f.kernel.median), interval(f.kernel, 1e3), digits(1e3 * f.wall.median),
-                                 digits(1e-6 * f.pixel_rate), of(f.operation_rate, 1e-9)),
+                                 digits(1e3 * f.kernel.median), interval_text(f.kernel.interval, f.kernel.count, 1e3),
+                                 digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate), of(f.operation_rate, 1e-9)),
                      fmt::format(" {:>6} {:>8}", percent(f.share), of(ratio_of(f.speed_up), 1)));
         }
     }
@@ -100,10 +94,10 @@ std::string wide_table(const Result& result)
         }
         const Figures& f = *row.figures;
         text += fmt::format(fmt::runtime(line), row.name(), row.verification.text, row.samples.size(),
-                            digits(1e3 * f.kernel.median), interval(f.kernel, 1e3), digits(1e3 * f.kernel.mad),
-                            digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
-                            digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback),
-                            digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate),
+                            digits(1e3 * f.kernel.median), interval_text(f.kernel.interval, f.kernel.count, 1e3),
+                            digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context),
+                            digits(1e3 * row.build), digits(1e3 * f.upload), digits(1e3 * f.host),
+                            digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate),
                             digits(1e-6 * f.iteration_rate), row.operations > 0 ? digits(1e-9 * row.operations) : "-",
                             of(f.operation_rate, 1e-9), of(f.peak, 1e-9), percent(f.share), of(f.bound, 1e3),
                             of(ratio_of(f.speed_up), 1), row.threads, row.simd_width, row.instruction_set);
@@ -194,10 +188,10 @@ std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, 
                         "95 % interval", "pairs", "");
     for (const Ratio& ratio : ratios) {
         const Row& row = result.row(ratio.denominator);
-        text += fmt::format(fmt::runtime(line), fractal ? short_name(row.fractal) : name_of(row.precision),
-                            name_of(row.mode), row.application, row.device,
-                            ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-", interval(ratio.ratio, 1),
-                            ratio.ratio.count, point_of(result, row));
+        text += fmt::format(
+            fmt::runtime(line), fractal ? short_name(row.fractal) : name_of(row.precision), name_of(row.mode),
+            row.application, row.device, ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-",
+            interval_text(ratio.ratio.interval, ratio.ratio.count), ratio.ratio.count, point_of(result, row));
     }
     return text;
 }

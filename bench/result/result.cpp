@@ -43,10 +43,7 @@ const Row& Result::row(std::string_view name) const
 void raise_peaks(std::vector<Peak>& to, const std::vector<Peak>& from)
 {
     for (const Peak& peak : from) {
-        const auto same = std::ranges::find_if(to, [&](const Peak& p) {
-            return p.platform == peak.platform && p.backend == peak.backend && p.device == peak.device &&
-                   p.precision == peak.precision;
-        });
+        const auto same = std::ranges::find_if(to, [&](const Peak& known) { return known.same_device(peak); });
         if (same == to.end()) {
             to.push_back(peak);
         } else {

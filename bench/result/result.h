@@ -29,6 +29,16 @@ struct Sample {
     double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
     double host = 0;
     double processor = 0;  // of all threads of the rendering process; only for duels, not stored in results
+
+    // Adds the times of a picture.
+    void add(const Timings& t)
+    {
+        kernel += t.kernel;
+        wall += t.wall;
+        upload += t.upload;
+        readback += t.readback;
+        host += t.host;
+    }
 };
 
 // The scene of a picture, and its size.
@@ -132,6 +142,12 @@ struct Peak {
     int device = 0;
     Precision precision = Precision::f64;
     double rate = 0;  // operations per second
+
+    bool same_device(const Peak& other) const
+    {
+        return platform == other.platform && backend == other.backend && device == other.device &&
+               precision == other.precision;
+    }
 };
 
 // Merges `from` into `to`: adds the peaks that `to` does not have, and raises the others to the higher rate.

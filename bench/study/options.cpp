@@ -4,23 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "cli/option_values.h"
+#include "bench/base/table.h"
 #include "core/base/error.h"
 
 namespace mandelmarch::bench {
 namespace {
-
-// Returns the names of a list's elements, with `between` between them.
-template <class List, class Name>
-std::string joined(const List& list, const Name& name, const char* between)
-{
-    std::string text;
-    for (const auto& element : list)
-        text += fmt::format("{}{}", text.empty() ? "" : between, std::invoke(name, element));
-    return text;
-}
 
 std::string_view name_of_fractal(const Fractal* fractal) { return fractal->short_name; }
 
@@ -62,7 +52,7 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
     app.add_option_function<std::string>(
            "--fractal", [&](const std::string& text) { options.fractals = parse_fractals(text, default_fractals()); },
            fmt::format("fractal to measure: all ({}), or one name",
-                       joined(default_fractals(), name_of_fractal, " and ")))
+                       joined(default_fractals(), " and ", name_of_fractal)))
         ->default_str("all");
     app.add_option_function<std::string>(
            "--precision",
@@ -85,7 +75,7 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
         "picture size, WxH in pixels (default: the study's, 540x540 in most)");
     app.add_option_function<std::string>(
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
-           "what to vary: " + joined(studies(), &Study::name, ", "))
+           "what to vary: " + joined(studies(), ", ", &Study::name))
         ->default_str(std::string(options.study->name));
     app.add_option("--filter,--benchmark_filter", options.filter,
                    "regular expression: measure only configurations whose names contain a match; with - in front, only "
@@ -97,8 +87,8 @@ std::vector<std::string> words_of(const Options& o)
 {
     const auto all_or = [](bool all, const std::string& names) { return all ? "all" : names; };
     std::vector<std::string> words{
-        "--backend",   all_or(o.backends.empty(), joined(o.backends, std::identity(), ",")),
-        "--fractal",   all_or(o.fractals == default_fractals(), joined(o.fractals, name_of_fractal, ",")),
+        "--backend",   all_or(o.backends.empty(), joined(o.backends, ",")),
+        "--fractal",   all_or(o.fractals == default_fractals(), joined(o.fractals, ",", name_of_fractal)),
         "--precision", all_or(o.precisions.size() > 1, std::string(name_of(o.precisions.front()))),
         "--study",     std::string(o.study->name),
         "--seed",      std::to_string(o.seed)};

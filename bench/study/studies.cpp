@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "bench/base/table.h"
 #include "bench/study/views.h"
 #include "core/base/cores.h"
 #include "core/base/error.h"
@@ -216,12 +217,10 @@ const std::vector<Study>& studies()
 
 const Study& study_named(std::string_view name)
 {
-    std::string known;
-    for (const Study& study : studies()) {
-        if (study.name == name) return study;
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
-    }
-    throw InputError(fmt::format("--study: '{}' given, expected one of {}", name, known));
+    const auto found = std::ranges::find(studies(), name, &Study::name);
+    if (found != studies().end()) return *found;
+    throw InputError(
+        fmt::format("--study: '{}' given, expected one of {}", name, joined(studies(), ", ", &Study::name)));
 }
 
 }  // namespace mandelmarch::bench

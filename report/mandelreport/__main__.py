@@ -4,8 +4,6 @@
 Exit codes: 0 success, 1 a failure (the page is written and names failed devices), 2 wrong arguments or bad input,
 77 the page is written, but there is no browser for its PDF."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

@@ -2,8 +2,6 @@
 """Answers on the front page. Each public method of Answers returns the values for the sentences of one answer, or None
 if there is no data for it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from markupsafe import Markup
@@ -63,12 +61,8 @@ class Answers:
         a fast picture."""
         if self.primary is None:
             return None
-        every = [
-            (bench, row)
-            for bench in self.results.study("standard")
-            for row in bench.timed(sweep_value="")
-            if row.backend != self.backends.reference
-        ]
+        timed = self.results.timed(("standard",), sweep_value="")
+        every = [(bench, row) for bench, row in timed if row.backend != self.backends.reference]
         exact = [(bench, row) for bench, row in every if row.mode == "exact"]
         same = [(bench, row) for bench, row in exact if row.verification["level"] == "same bits"]
         fast = [(bench, row) for bench, row in every if row.mode == "fast"]
@@ -140,13 +134,10 @@ class Answers:
     def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> tuple[Bench, Row] | None:
         """Returns the host's configuration with the highest value of the speed-up `key`. Prefers the primary study,
         then standard studies, then studies with more runs."""
-        rows = [
-            (bench, row)
-            for bench in self.results.benches
-            if bench.study in ("standard", "simd-widths")
-            for row in bench.timed(fractal=fractal, precision=precision, mode=mode, backend=self.backends.host)
-            if row.figures[key] is not None
-        ]
+        timed = self.results.timed(
+            ("standard", "simd-widths"), fractal=fractal, precision=precision, mode=mode, backend=self.backends.host
+        )
+        rows = [one for one in timed if one[1].figures[key] is not None]
         order = [(b is self.primary, b.study == "standard", b.data["runs"], r.figures[key]) for b, r in rows]
         return rows[order.index(max(order))] if rows else None
 
@@ -224,11 +215,12 @@ class Answers:
         """Returns the times of the fastest measured GPU or, if none was measured, the predicted times of the K40, and
         the host's times, all at the film's size."""
         expected = next((n for n, text in self.results.files.items() if str(text).startswith("K40 on paper")), None)
-        rows = [self.results.of_size(FILM_SIZE, fractal, "float", "fast", self.backends.host) for fractal in FRACTALS]
+        kinds = [{"fractal": fractal, "precision": "float", "mode": "fast"} for fractal in FRACTALS]
+        rows = [self.results.of_size(FILM_SIZE, **kind, backend=self.backends.host) for kind in kinds]
         if None in rows:
             return None
         size = [Number.of_row(*rows[0], f"/setting/{key}").html("plain") for key in ("width", "height")]
-        gpus = [self._fastest_gpu(fractal) for fractal in FRACTALS]
+        gpus = [self.results.fastest_gpu(FILM_SIZE, **kind) for kind in kinds]
         if None not in gpus:
             return {"measured": [self._beside(gpu, row) for gpu, row in zip(gpus, rows)], "size": size, "host": self.backends.host}
         if expected is None:
@@ -245,16 +237,6 @@ class Answers:
                 }
             )
         return {"predicted": pairs, "size": size, "host": self.backends.host}
-
-    def _fastest_gpu(self, fractal: str) -> tuple[Bench, Row] | None:
-        """Returns the fastest row of a GPU at the film's size, in float and fast mode, of the standard study."""
-        rows = [
-            (bench, row)
-            for bench in self.results.study("standard")
-            for row in bench.timed(fractal=fractal, precision="float", mode="fast")
-            if row.is_gpu and row.size == FILM_SIZE
-        ]
-        return min(rows, key=lambda one: one[1].kernel.median, default=None)
 
     def _beside(self, gpu: tuple[Bench, Row], host: tuple[Bench, Row]) -> dict[str, Any]:
         """Returns the times of a GPU's row and of the host's row for the same picture."""

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contents of a section: figures, tables, and notes for missing data. The templates' macro `show` prints them, and
-Numbers numbers them."""
-
-from __future__ import annotations
+"""Contents of a section: figures, tables, output of programs, and notes for missing data. The templates' macro `show`
+prints them, and Numbers numbers them."""
 
 import base64
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from markupsafe import Markup
 
@@ -44,6 +42,15 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Output:
+    """The output of a program, line by line. `wide`: its lines need small letters on paper."""
+
+    text: str
+    wide: bool = True
+    kind: str = "output"
+
+
+@dataclass(frozen=True)
 class Missing:
     """A part without data, and the command that produces the data."""
 
@@ -52,7 +59,11 @@ class Missing:
     kind: str = "missing"
 
 
-Block = Figure | Table | Missing
+Block = Figure | Table | Output | Missing
+
+
+def seen(figure: Figure | None, see: str) -> Figure | None:
+    return figure and replace(figure, see=see)
 
 
 def ref(name: str) -> Markup:

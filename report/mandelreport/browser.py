@@ -42,7 +42,7 @@ class Browser:
     def __init__(self, *options: str):
         program = next((found for name in NAMES if (found := shutil.which(name))), None)
         if program is None:
-            raise Unavailable("chromium is missing: install it with report/setup, or make only the page with --no-pdf")
+            raise Unavailable("chromium is missing: tools/setup report installs it; --no-pdf makes only the page")
         self.folder = tempfile.mkdtemp(prefix="mandelreport-")
         # Chromium's sandbox does not work as root.
         root = ["--no-sandbox"] if os.geteuid() == 0 else []

@@ -4,18 +4,15 @@ differences and times.
 
 Needs no package but Jinja. Exit codes: 0 success, 1 a file cannot be written, 2 wrong arguments or bad input."""
 
-from __future__ import annotations
-
 import argparse
 import hashlib
 import json
-import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from . import viewer
-from .blocks import Missing, data_uri
+from .blocks import data_uri
 from .errors import InputError, run_program, write_whole
 
 LARGEST = 20 * 2**20  # bytes of the page
@@ -125,17 +122,6 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
     return result
 
 
-def live(programs: Path, work: Path) -> dict[str, Any]:
-    """Returns the values for the viewer's template, or the reason why the page has no viewer."""
-    absent = viewer.missing_tools()
-    if absent:
-        return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is missing", "make demo")}
-    run = subprocess.run([programs / "render", "--list-fractals", "--json"], capture_output=True, text=True, check=False)
-    if run.returncode != 0:
-        raise InputError(f"{programs / 'render'}: {run.stderr.strip()}")
-    return viewer.material(json.loads(run.stdout), work)
-
-
 def page(folder: Path, programs: Path) -> str:
     table = read_table(folder)
 
@@ -148,7 +134,7 @@ def page(folder: Path, programs: Path) -> str:
         absent=absent_of(table["rows"]),
         still=optional("image/jpeg", "still.jpg"),
         film=optional("video/mp4", "film.mp4"),
-        s=live(programs, folder / "shaders"),
+        s=viewer.material(programs / "render", folder / "shaders", "make demo"),
         style=viewer.raw("templates/style.css"),
         slider=viewer.raw("templates/slider.js"),
         viewer=viewer.scripts(),

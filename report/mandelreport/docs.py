@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Passages of the project's documentation and sources that the report quotes."""
 
-from __future__ import annotations
-
 import re
 
 import markdown

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Failures described by one line, and output files that are written completely or not at all."""
+"""Failures described by one line, programs that are run, and output files that are written completely or not at
+all."""
 
 import os
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -23,6 +25,16 @@ def run_program(program: str, main: Callable[[], int]) -> NoReturn:
     except (InputError, Unavailable, OSError) as error:
         print(f"{program}: {error}", file=sys.stderr)
         sys.exit({InputError: 2, Unavailable: 77}.get(type(error), 1))
+
+
+def output_of(*command: object, codes: tuple[int, ...] = (0,)) -> str:
+    """Runs a program and returns its standard output. Raises InputError with the last line that the program prints if
+    its exit code is not one of `codes`."""
+    run = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
+    if run.returncode not in codes:
+        lines = (run.stdout + run.stderr).strip().splitlines() or ["failed without a message"]
+        raise InputError(f"{command[0]}: {lines[-1]}")
+    return run.stdout
 
 
 def write_whole(path: Path, data: bytes) -> None:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Result files of a folder, each read once. Needs only Python's standard library."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Output of flythrough for the report: maps, audits, and summaries of films."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from typing import Any
@@ -28,9 +26,6 @@ class FlightMap:
     def hull(self) -> float:
         """Returns the size of the hull: half the cube's edge, or the sphere's radius."""
         return self.data["hull"]["size"]
-
-    def series(self, key: str) -> list[float]:
-        return self.data[key]
 
     @property
     def seconds(self) -> list[float]:

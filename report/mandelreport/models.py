@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Cost of a programming model: its time divided by that of openmp's scalar kernel for the same work, per thread."""
 
-from __future__ import annotations
-
 import math
 import statistics
 from collections.abc import Callable

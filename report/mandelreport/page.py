@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Combines sections and templates into one HTML page."""
 
-from __future__ import annotations
-
 import importlib
 from typing import Any
 

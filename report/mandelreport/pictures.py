@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders the official scenes on every backend with the built programs, once for each program, scene and setting."""
 
-from __future__ import annotations
-
 import dataclasses
 import functools
 import hashlib
+import io
 import json
 import subprocess
 import sys
@@ -16,7 +15,8 @@ from typing import Any
 
 from PIL import Image
 
-from .errors import InputError, write_whole
+from .blocks import data_uri
+from .errors import output_of, write_whole
 
 SIDE = 540  # pixels; the size that bench verifies and times
 ROOT = Path(__file__).parents[2]
@@ -53,6 +53,13 @@ class Picture:
     @property
     def digest(self) -> str:
         return hashlib.sha256(self.image.tobytes()).hexdigest()
+
+
+def encoded(image: Image.Image, kind: str, **options: Any) -> str:
+    """Returns an image as a data URI. `kind`: webp, png or jpeg; `options`: of Pillow's encoder."""
+    buffer = io.BytesIO()
+    image.save(buffer, format=kind, **options)
+    return data_uri(f"image/{kind}", buffer.getvalue())
 
 
 class Cache:
@@ -98,17 +105,6 @@ class Studio:
             return []
         run = subprocess.run([self.render, "--list-devices"], capture_output=True, text=True, check=False)
         return list(dict.fromkeys(line.split()[0] for line in run.stdout.splitlines()))
-
-    @functools.cached_property
-    def fractals(self) -> dict[str, Any] | None:
-        """Returns the programs' table of fractals, with the formulas of their constants, or None if the programs are
-        missing."""
-        if not self.there:
-            return None
-        run = subprocess.run([self.render, "--list-fractals", "--json"], capture_output=True, text=True, check=False)
-        if run.returncode != 0:
-            raise InputError(f"{self.render}: {run.stderr.strip()}; if the program is old, run make build")
-        return json.loads(run.stdout)
 
     def _draw(self, key: Key, ending: str) -> Path | None:
         """Returns a picture file rendered by bin/render, or None if there is none; `reasons` then has the reason."""
@@ -159,10 +155,7 @@ class Studio:
         differences = self.cache.path(".png", "map", a.name, b.name)
 
         def compared() -> dict[str, Any]:
-            run = subprocess.run([self.imgdiff, "--json", a, b, "--map", differences], capture_output=True, text=True, check=False)
-            if run.returncode > 1:
-                raise InputError(f"{self.imgdiff}: {run.stderr.strip().splitlines()[-1]}")
-            return json.loads(run.stdout)
+            return json.loads(output_of(self.imgdiff, "--json", a, b, "--map", differences, codes=(0, 1)))
 
         return self.cache.value(compared, "imgdiff", a.name, b.name) | {"map": differences}
 

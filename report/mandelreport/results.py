@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds all files below the results folder and identifies the kind of each by its content, not by its name."""
 
-from __future__ import annotations
-
 import dataclasses
 import functools
 import json
@@ -72,7 +70,6 @@ class Results:
     films: list[Film] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
-    portability: list[dict[str, Any]] | None = None  # bench portability --json
     code_divergence: dict[str, Any] | None = None  # tools/code_divergence.py --json
     races: list[dict[str, Any]] = field(default_factory=list)  # bench race --json
     duels: list[str] = field(default_factory=list)  # bench duel --json; names of files
@@ -88,8 +85,7 @@ class Results:
         the order of that result."""
         lists = sorted((bench.environment["backends"] for bench in self.benches), key=len, reverse=True)
         rows = [row.backend for bench in self.benches for row in bench.rows]
-        applications = [entry["application"] for entry in self.portability or []]
-        return Backends.of([backend for registered in lists for backend in registered], [*rows, *applications, *others])
+        return Backends.of([backend for registered in lists for backend in registered], [*rows, *others])
 
     def whole(self) -> list[Bench]:
         """Returns the standard studies that compare at least three backends that use the kernel. If no study has three,
@@ -125,17 +121,24 @@ class Results:
     def gpu_measured(self) -> bool:
         return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
 
-    def of_size(self, size: tuple[int, int], fractal: str, precision: str, mode: str, backend: str) -> tuple[Bench, Row] | None:
-        """Returns the row with this picture size and these settings from the standard study or the study of resolutions
-        that has the most runs."""
-        rows = [
-            (bench, row)
-            for bench in self.benches
-            if bench.study in ("standard", "resolution")
-            for row in bench.timed(fractal=fractal, precision=precision, mode=mode, backend=backend)
-            if row.size == size
-        ]
+    def timed(self, studies: Iterable[str], **wanted: Any) -> list[tuple[Bench, Row]]:
+        """Returns the timed rows with the given field values in these studies."""
+        return [(bench, row) for bench in self.benches if bench.study in studies for row in bench.timed(**wanted)]
+
+    def of_size(self, size: tuple[int, int], **wanted: str) -> tuple[Bench, Row] | None:
+        """Returns the row with this picture size and the given field values from the standard study or the study of
+        resolutions that has the most runs."""
+        rows = [one for one in self.timed(("standard", "resolution"), **wanted) if one[1].size == size]
         return max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count), default=None)
+
+    def fastest_gpu(
+        self, size: tuple[int, int], names: Iterable[str] = ("",), **wanted: str
+    ) -> tuple[Bench, Row] | None:
+        """Returns the fastest row of a GPU with this picture size and the given field values in the standard study.
+        `names`: parts of names; one of them must be in the GPU's name."""
+        rows = [one for one in self.timed(("standard",), is_gpu=True, **wanted) if one[1].size == size]
+        named = [one for one in rows if any(name in one[1].device_name for name in names)]
+        return min(named, key=lambda one: one[1].kernel.median, default=None)
 
     def number(self, file: str, pointer: str) -> Number:
         return Number.at(file, self.files[file], pointer)
@@ -156,9 +159,6 @@ class Results:
 def _add_json(results: Results, files: Files, stem: str) -> None:
     name, data = f"{stem}.json", files.json(stem)
     kind = data if isinstance(data, dict) else {}
-    if isinstance(data, list) and data and isinstance(data[0], dict) and "by_application_efficiency" in data[0]:
-        results.portability = checked(name, data, "portability")
-        return
     if kind.get("schema") == SCHEMA:
         results.benches.append(checked_bench(files.bench(stem)))
     elif kind.get("schema") == "mandelmarch-bench-random":

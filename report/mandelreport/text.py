@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Formatting of numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 
 from .bench import Row

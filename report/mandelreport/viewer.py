@@ -2,19 +2,17 @@
 """The live viewer of templates/viewer.html.j2: its shaders (the kernel source as GLSL ES 3.00, through glslang and
 spirv-cross), the table of fractals as JavaScript, and its scripts."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
 import jinja2
 from markupsafe import Markup
 
-from .errors import InputError
+from .blocks import Missing
+from .errors import output_of
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "report"
@@ -38,20 +36,13 @@ def missing_tools() -> list[str]:
     return [tool for tool in TOOLS if shutil.which(tool) is None]
 
 
-def _run(*command: object) -> None:
-    run = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
-    if run.returncode != 0:
-        lines = (run.stdout + run.stderr).strip().splitlines() or ["failed without a message"]
-        raise InputError(f"{command[0]}: {lines[-1]}")
-
-
 def shader(fractal: str, work: Path) -> str:
     """Returns the fragment shader of one fractal; `work`: a folder for intermediate files."""
     work.mkdir(parents=True, exist_ok=True)
     text, module, result = (work / f"{fractal}.{ending}" for ending in ("frag", "spv", "es"))
-    _run("cmake", "-D", f"FRACTAL={fractal}", "-D", f"TEXT={TEXTS[fractal]}", "-D", f"FILE={text}", "-P", FLATTEN)
-    _run("glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-o", module, text)
-    _run("spirv-cross", "--es", "--version", "300", "--output", result, module)
+    output_of("cmake", "-D", f"FRACTAL={fractal}", "-D", f"TEXT={TEXTS[fractal]}", "-D", f"FILE={text}", "-P", FLATTEN)
+    output_of("glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-o", module, text)
+    output_of("spirv-cross", "--es", "--version", "300", "--output", result, module)
     # Removes the indentation, a fifth of the text.
     return "\n".join(line.strip() for line in result.read_text(encoding="utf-8").splitlines() if line.strip()) + "\n"
 
@@ -125,9 +116,14 @@ def _embedded(data: Any) -> Markup:
     return Markup(json.dumps(data, separators=(",", ":"), sort_keys=True).replace("<", "\\u003c"))
 
 
-def material(table: dict[str, Any], work: Path) -> dict[str, Any]:
-    """Returns the values for the viewer's template. `table`: output of bin/render --list-fractals --json; `work`: a
-    folder for intermediate files."""
+def material(render: Path, work: Path, set_up: str) -> dict[str, Any]:
+    """Returns the values for the viewer's template, or the reason why the page has no viewer. `render`: bin/render;
+    `work`: a folder for intermediate files; `set_up`: the command that installs missing tools."""
+    if absent := missing_tools():
+        return {"missing": Missing(f"The viewer's shaders, as {', '.join(absent)} is missing", set_up)}
+    if not render.exists():
+        return {"missing": Missing("The viewer's table of fractals, from bin/render", "make build")}
+    table = json.loads(output_of(render, "--list-fractals", "--json"))
     names = [row["name"] for row in table["fractals"] if row["name"] in TEXTS]
     texts = {fractal: shader(fractal, work) for fractal in names}
     shown = views(names)

@@ -25,6 +25,68 @@ MOST_REGISTERS = {
              ("bytes", "float"): 32, ("bytes", "double"): 32},
 }
 
+# A floating-point instruction: its name with all suffixes.
+OPERATION = re.compile(r"(?<![\w.%$])([a-z]\w*(?:\.\w+)*\.f(?:32|64)(?:\.\w+)*)(?=\s)")
+ARITHMETIC = {"add", "sub", "mul", "div", "sqrt", "rcp", "fma"}
+EXACT_BY_NATURE = {"mov", "ld", "st", "setp", "selp", "neg", "abs", "cvt"}
+# Operations that only the kernels of fast mode in float have, and those that these kernels must not have.
+QUICK = {"sqrt.approx.ftz.f32", "rcp.approx.ftz.f32", "max.f32", "min.f32"}
+SLOW = {"sqrt.rn.f32", "rcp.rn.f32"}
+
+
+def operation_faults(name, body, precision, mode):
+    for operation in sorted(set(OPERATION.findall(body))):
+        word = operation.split(".")[0]
+        suffixes = operation.split(".")[1:]
+        if (precision, mode) == ("float", "fast"):
+            if operation in QUICK:
+                continue
+            if operation in SLOW:
+                yield f"{name}: {operation}: not an approximation, in fast mode and float"
+        if precision == "float" and "f64" in suffixes:
+            yield f"{name}: {operation}: double in a float kernel"
+        if "ftz" in suffixes or "approx" in suffixes or word not in ARITHMETIC | EXACT_BY_NATURE:
+            yield f"{name}: {operation}: not an operation that IEEE 754 rounds"
+        if word in ARITHMETIC and "rn" not in suffixes:
+            yield f"{name}: {operation}: without .rn, so that it may be fused"
+        if word == "fma" and mode == "exact":
+            yield f"{name}: {operation}: fused in exact mode"
+
+
+def faults(ptx, fractals):
+    """Returns the violations of docs/floating-point.md in a PTX module, each as a line of text."""
+    found = [f".target {target}" for target in re.findall(r"^\.target (\S+)", ptx, re.M) if target != "sm_35"]
+    if re.search(r"^\.(visible )?func ", ptx, re.M):
+        found.append("a function that is called instead of inlined")
+    wanted = {(kind, fractal, precision, mode) for kind in ("cones", "march", "shade", "bytes") for fractal in fractals
+              for precision in ("float", "double") for mode in ("exact", "fast") if (kind, mode) != ("cones", "exact")}
+    for entry in k40.ENTRY.finditer(ptx):
+        if ".maxntid 128, 1, 1" not in entry[0]:
+            found.append(f"{entry[1]}: does not say how many threads its blocks have")
+        if re.match(r"shade_|march_\w+_double_fast", entry[1]) and ".minnctapersm" not in entry[0]:
+            found.append(f"{entry[1]}: does not say how many blocks a multiprocessor shall hold")
+    fused = 0
+    for name, body in k40.kernels(ptx):
+        match = k40.KERNEL.match(name)
+        if peak := k40.PEAK.match(name):
+            found += operation_faults(name, body, peak[1], "fast")
+            continue
+        if not match:
+            found.append(f"{name}: an unknown kernel")
+            continue
+        wanted.discard(match.groups())
+        fused += match[4] == "fast" and "fma.rn" in body
+        found += operation_faults(name, body, match[3], match[4])
+        # Searches the whole body, not only the instructions that OPERATION matches, so that none is missed.
+        if match[3] == "float" and ".f64" in body:
+            found.append(f"{name}: .f64 in a float kernel")
+        if ".local" in body:
+            found.append(f"{name}: variables in local memory")
+    found += ["no kernel " + "_".join(missing) for missing in sorted(wanted)]
+    if fused == 0:
+        found.append("no fast kernel has a fused multiply-add")
+    return sorted(set(found))
+
 
 def changed(ptx, kernel, old, new):
     """Returns the PTX with the first match of the pattern `old` in one kernel replaced by `new`."""
@@ -72,7 +134,7 @@ def check_expected():
 
 
 def check_text(ptx, fractals):
-    found = k40.faults(ptx, fractals)
+    found = faults(ptx, fractals)
     march = f"march_{fractals[0]}"
     twins = {
         "fused": changed(ptx, f"{march}_double_exact", r"mul\.rn\.f64 (%r\d+),(%r\d+),(\S+);", r"fma.rn.f64 \1,\2,\3,\2;"),
@@ -92,7 +154,7 @@ def check_text(ptx, fractals):
         "a kernel less": ptx.replace(f".entry {march}_float_fast", f".entry {march}_float_quick"),
     }
     for name, twin in twins.items():
-        if not k40.faults(twin, fractals):
+        if not faults(twin, fractals):
             found.append(f"the twin '{name}' was not seen")
     return found
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of a flight: the steps from the seed to the film, free space, the path, and measurements along it."""
 
-from __future__ import annotations
-
 import math
 
 from matplotlib.collections import PatchCollection
@@ -61,7 +59,7 @@ def steps() -> Figure:
 
 def _speeds(flight: FlightMap) -> list[float]:
     """Returns the camera's speed in hull sizes per second, for each frame but the first."""
-    x, y, z = (flight.series(key) for key in "xyz")
+    x, y, z = (flight.data[key] for key in "xyz")
     per_frame = flight.data["frames_per_second"] / flight.hull
     return [math.dist((x[i], y[i], z[i]), (x[i - 1], y[i - 1], z[i - 1])) * per_frame for i in range(1, len(x))]
 
@@ -102,7 +100,7 @@ def ground(flight: FlightMap) -> Figure:
             linewidth=0.6,
             label=f"{flight.data['gate_count']} gates",
         )
-        xs, ys = flight.series(right), flight.series(up)
+        xs, ys = flight.data[right], flight.data[up]
         axis.plot(xs, ys, color="white", linewidth=2.2)
         axis.plot(xs, ys, color=style.RED, linewidth=1, label="path")
         passages = flight.data["passages"]
@@ -120,8 +118,8 @@ def ground(flight: FlightMap) -> Figure:
         axis.plot(xs[0], ys[0], linestyle="", marker="o", markersize=6, color=style.BLUE, label="start")
         axis.plot(xs[-1], ys[-1], linestyle="", marker="s", markersize=6, color="black", label="end")
         # Each map shows a square around the part of the path that is inside the hull. The approach is outside.
-        inside = [i for i in range(len(xs)) if max(abs(flight.series(key)[i]) for key in "xyz") <= hull] or range(len(xs))
-        ranges = [(min(s), max(s)) for s in ([flight.series(key)[i] for i in inside] for key in "xyz")]
+        inside = [i for i in range(len(xs)) if max(abs(flight.data[key][i]) for key in "xyz") <= hull] or range(len(xs))
+        ranges = [(min(s), max(s)) for s in ([flight.data[key][i] for i in inside] for key in "xyz")]
         half = 0.6 * max(high - low for low, high in ranges)
         middle = [(ranges[k][0] + ranges[k][1]) / 2 for k in (a, b)]
         axis.set(
@@ -149,14 +147,14 @@ def ground(flight: FlightMap) -> Figure:
 def over_time(flight: FlightMap) -> Figure:
     """Shows the clearance, the speed, the camera's step divided by the clearance, and the turn, frame by frame."""
     seconds = flight.seconds
-    clearance = [100 * c / flight.hull for c in flight.series("clearance")]
+    clearance = [100 * c / flight.hull for c in flight.data["clearance"]]
     speed = _speeds(flight)
     per_frame = flight.hull / flight.data["frames_per_second"]
     steps = [
         v * per_frame / max(min(a, b), 1e-300)
-        for v, a, b in zip(speed, flight.series("clearance"), flight.series("clearance")[1:])
+        for v, a, b in zip(speed, flight.data["clearance"], flight.data["clearance"][1:])
     ]
-    turn = flight.series("turn")
+    turn = flight.data["turn"]
     figure, axes = style.panels(4, 1, 8, 6.6, sharex=True)
     plots = [
         ("clearance\n[% of hull size]", seconds, clearance, True),

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The front page's figure: times of all backends and of both baselines."""
 
-from __future__ import annotations
-
 from ..backends import Backends
 from ..bench import Bench
 from ..blocks import Figure

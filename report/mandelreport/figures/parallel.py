@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the pixels of a film are distributed: ranks, threads, warps and lanes."""
 
-from __future__ import annotations
-
 import itertools
 
 from matplotlib.colors import ListedColormap

@@ -2,8 +2,6 @@
 """Pennycook's metric of performance portability: a cascade over the platforms, best first, and a chart of the metric
 against code convergence."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from ..backends import Backends

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Time per stage of a picture."""
 
-from __future__ import annotations
-
 from statistics import median
 
 from matplotlib.patches import Patch

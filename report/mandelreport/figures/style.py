@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Common style of all figures: colours of Okabe and Ito, each with a hatch, a marker and a dash for black and white."""
 
-from __future__ import annotations
-
 import io
 import re
 from typing import Any

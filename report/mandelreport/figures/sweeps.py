@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of sweeps: one setting varies along x."""
 
-from __future__ import annotations
-
 import math
 
 from ..bench import Bench, Row, Times

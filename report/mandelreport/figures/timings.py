@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of the standard study: times relative to the scalar kernel, double over float, shares of the peak."""
 
-from __future__ import annotations
-
 import itertools
 
 from matplotlib.patches import Patch

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Factors that explain why one fractal takes longer than the other."""
 
-from __future__ import annotations
-
 import math
 
 from dataclasses import dataclass

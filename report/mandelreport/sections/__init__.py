@@ -3,16 +3,13 @@
 section's template. The module front is the first page. The main part and the appendix follow, in the order of
 page.py."""
 
-from __future__ import annotations
-
 import functools
-import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..answers import Answers
 from ..backends import Backends
-from ..errors import InputError
+from ..errors import output_of
 from ..pictures import Studio
 from ..results import Results
 
@@ -40,10 +37,7 @@ class Material:
         program = self.studio.render.with_name("bench")
         lines: list[str] = []
         for bench in self.results.study("standard") if program.exists() else ():
-            run = subprocess.run([program, "csv", bench.path], capture_output=True, text=True, check=False)
-            if run.returncode != 0:
-                raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['failed without a message'])[-1]}")
-            header, *rows = run.stdout.splitlines()
+            header, *rows = output_of(program, "csv", bench.path).splitlines()
             lines += ([] if lines else [f"file,{header}"]) + [f"{bench.name},{row}" for row in rows]
         return "".join(f"{line}\n" for line in lines) or None
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The completed checklist of reproducible artifacts."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from ..blocks import Table

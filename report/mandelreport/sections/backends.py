@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Chapters of the documentation on the design of backends and on films, and the K40's registers."""
 
-from __future__ import annotations
-
 from typing import Any
 
-from ..blocks import Missing
+from ..blocks import Missing, Output
 from ..docs import chapter
 from . import Material
 
@@ -21,8 +19,7 @@ def section(material: Material) -> dict[str, Any]:
         "openacc": chapter("docs/openacc.md", "Separate kernels for marching and shading"),
         "times": chapter("docs/openacc.md", "Times"),
         "k40_text": chapter("docs/openacc.md", "Checks without a K40 or an H100"),
-        "k40": material.results.k40,
-        "no_k40": Missing("The K40's registers", "make k40"),
+        "k40": Output(material.results.k40) if material.results.k40 else Missing("The K40's registers", "make k40"),
         "machines": chapter("docs/flight.md", "Many machines"),
         "film": chapter("docs/flight.md", "From the path to the film"),
     }

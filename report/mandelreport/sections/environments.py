@@ -2,8 +2,6 @@
 """Environments of all measurements: a line for each result of the standard study, for each machine and build, for each
 set of compiler, flags and driver, and for each other file."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
@@ -121,4 +119,4 @@ def section(material: Material) -> dict[str, Any]:
     headers = ["file", "study", "machine", "runs", "revision", "date"]
     tables = _tables(material) + ([Table(headers, others, "Other result files.", [3])] if others else [])
     warnings = [(material.letter(b.name), b.data["warnings"]) for b in material.results.study("standard") if b.data["warnings"]]
-    return {"tables": tables, "warnings": warnings, "missing": Missing("The environment of the timings", "make bench")}
+    return {"blocks": tables or [Missing("The environment of the timings", "make bench")], "warnings": warnings}

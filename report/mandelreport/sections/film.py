@@ -1,22 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """Choice of the frames, a frame, and the film's summary that the assignment requires."""
 
-from __future__ import annotations
-
-import dataclasses
-import io
 from pathlib import Path
 from typing import Any
 
 from PIL import Image
 
-from ..blocks import Figure, Missing, Table, data_uri
+from ..blocks import Figure, Missing, Table, data_uri, seen
 from ..figures import flight as figures
 from ..flight import Film
-from ..pictures import ROOT
+from ..pictures import ROOT, encoded
 from ..text import digits
 from . import Material
 
+GROUND = "the path (red) stays within the free balls (pale) and leads from passage to passage (diamonds)."
 SHEET_WIDTH = 1600  # pixels
 SHEET_QUALITY = 80
 
@@ -40,10 +37,8 @@ def _sheet(path: Path) -> Figure:
         small = image.convert("RGB")
         if small.width > SHEET_WIDTH:
             small = small.resize((SHEET_WIDTH, round(small.height * SHEET_WIDTH / small.width)), Image.Resampling.LANCZOS)
-        buffer = io.BytesIO()
-        small.save(buffer, format="JPEG", quality=SHEET_QUALITY, optimize=True)
     return Figure(
-        data_uri("image/jpeg", buffer.getvalue()),
+        encoded(small, "jpeg", quality=SHEET_QUALITY, optimize=True),
         f"Contact sheet of the film ({path.stem}): small frames in order, row by row, from outside the fractal into its holes.",
         f"Frames of the film: {path.stem}.",
         see="row by row, the camera approaches from outside, enters a hole and continues from hole to hole.",
@@ -62,20 +57,17 @@ def _frame() -> Figure:
 def section(material: Material) -> dict[str, Any]:
     results = material.results
     map_command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
-    ground = dataclasses.replace(
-        figures.ground(results.maps[-1]),
-        see="the path (red) stays within the free balls (pale) and leads from passage to passage (diamonds).",
-    ) if results.maps else None
+    ground = figures.ground(results.maps[-1]) if results.maps else None
     promises = [row for audit in results.audits for row in audit["rows"] if row["promise"]]
     return {
         "frame": _frame(),
         "steps": figures.steps(),
         "cost": material.answers.film(),
-        "films": [_table(film) for film in results.films],
-        "missing": Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary report/results/film.json"),
-        "map": ground or Missing("The map and the path", map_command),
-        "sheets": [_sheet(path) for path in results.contact_sheets],
-        "no_sheets": Missing("The contact sheet", "make contact-sheet"),
+        "films": [_table(film) for film in results.films]
+        or [Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary report/results/film.json")],
+        "map": seen(ground, GROUND) or Missing("The map and the path", map_command),
+        "sheets": [_sheet(path) for path in results.contact_sheets]
+        or [Missing("The contact sheet", "make contact-sheet")],
         "promises": len(promises),
         "kept": sum(row["kept"] for row in promises),
         "flights": len(results.audits),

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Flights: paths over time, audits, studies, and the choice of the frames."""
 
-from __future__ import annotations
-
 from typing import Any
 
-from ..blocks import Missing, Table
+from ..blocks import Missing, Output, Table
 from ..docs import chapter
 from ..figures import flight as figures
 from ..text import plain
@@ -46,8 +44,8 @@ def section(material: Material) -> dict[str, Any]:
         "audit_text": chapter("docs/flight.md", "The audit"),
         "maps": maps,
         "no_maps": Missing("The map, the path and its measurements", command),
-        "audits": [_audit_table(audit) for audit in results.audits],
-        "no_audits": Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json"),
-        "studies": results.flight_studies,
-        "no_studies": Missing("The study of seeds, anti-aliasing and segments", "make flight-study"),
+        "audits": [_audit_table(audit) for audit in results.audits]
+        or [Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json")],
+        "studies": [Output(study) for study in results.flight_studies]
+        or [Missing("The study of seeds, anti-aliasing and segments", "make flight-study")],
     }

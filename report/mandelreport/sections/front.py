@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The front page: the findings, each answer with its number and interval."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from ..bench import Bench, Row

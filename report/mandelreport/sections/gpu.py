@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Expected and measured times of GPUs, in a table for each GPU."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 
 from ..answers import FILM_SIZE as SIZE
-from ..bench import Row
 from ..blocks import Missing, Table
 from ..text import digits
 from . import Material
@@ -18,34 +15,25 @@ NAMES = {"H100": ("H100", "H200")}  # GPUs with the same multiprocessors
 HEADERS = ["fractal", "precision", "mode", "backend", "cycles per iteration", "cycles per step", "lanes active in steps", "in iterations", "all cycles used, ms", "longest ray, ms", "expected ms, from", "to"]
 
 
-def _host(material: Material, fractal: str, precision: str, mode: str) -> str:
-    found = material.results.of_size(SIZE, fractal, precision, mode, material.backends.host)
+def _kind(words: list[str]) -> dict[str, str]:
+    return dict(zip(("fractal", "precision", "mode", "backend"), words))
+
+
+def _host(material: Material, words: list[str]) -> str:
+    found = material.results.of_size(SIZE, **_kind([*words[:3], material.backends.host]))
     return f"{time_cell(found[1])}{' *' if found[0].study != 'standard' else ''}" if found else "–"
-
-
-def _measured(material: Material, gpu: str, kind: list[str]) -> Row | None:
-    """Returns the fastest row measured on this GPU with the prediction's picture size. `kind`: fractal, precision, mode
-    and backend of the row."""
-    rows = [
-        row
-        for bench in material.results.benches
-        for row in bench.timed(fractal=kind[0], precision=kind[1], mode=kind[2], backend=kind[3])
-        if row.is_gpu
-        and any(name in row.device_name for name in NAMES.get(gpu, (gpu,)))
-        and row.size == SIZE
-    ]
-    return min(rows, key=lambda row: row.kernel.median, default=None)
 
 
 def _table(material: Material, gpu: str, text: str) -> Table | None:
     lines = [words for words in map(str.split, text.splitlines()) if len(words) == len(HEADERS) and words[1] in ("float", "double")]
-    found = [_measured(material, gpu, words) for words in lines]
+    found = [material.results.fastest_gpu(SIZE, NAMES.get(gpu, (gpu,)), **_kind(words[:4])) for words in lines]
     rows = []
-    for words, row in zip(lines, found, strict=True):
+    for words, one in zip(lines, found, strict=True):
         cells = list(words)
         if any(found):
+            row = one and one[1]
             cells += [time_cell(row), digits(1e3 * row.kernel.median / float(words[-2]))] if row else ["–", "–"]
-        rows.append([*cells, _host(material, *words[:3])])
+        rows.append([*cells, _host(material, words)])
     headers = [*HEADERS, *(["measured ms", "measured / from"] if any(found) else []), f"{material.backends.host} on the host, ms"]
     return Table(
         headers,

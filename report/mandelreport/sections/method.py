@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Subject, machines and method of the measurements."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from markupsafe import Markup

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Parallelisation: the profile, the directives, the threads, and the gain from each technique."""
 
-from __future__ import annotations
-
-import dataclasses
 from typing import Any
 
 from markupsafe import Markup
 
 from ..bench import Bench, Row
-from ..blocks import Block, Missing, Table
+from ..blocks import Block, Missing, Table, seen
 from ..docs import code
 from ..figures import sweeps
 from ..figures.parallel import pixels
@@ -93,24 +90,21 @@ def _worth(material: Material) -> str:
     return text + Markup("; without all four that find empty space, up to {} times.").format(together[1])
 
 
-def _with(blocks: list[Block], see: str) -> list[Block]:
-    return [dataclasses.replace(block, see=see) if block.kind == "figure" else block for block in blocks]
-
-
 def section(material: Material) -> dict[str, Any]:
     results = material.results
-    profiles: list[Block] = [figure for bench in results.study("profile") if (figure := profile(bench))]
-    ablations: list[Block] = [figure for bench in results.study("ablation") if (figure := sweeps.ablation(bench))]
-    march = _march(material)
+    march, worth = _march(material), _worth(material)
+    main = f"{march}, for every fractal, precision and mode." if march else ""
+    profiles = [seen(figure, main) for bench in results.study("profile") if (figure := profile(bench))]
+    ablations = [seen(figure, worth) for bench in results.study("ablation") if (figure := sweeps.ablation(bench))]
     return {
         "march": march,
         "pixels": pixels(),
         "distribution": Table(["backend", "distribution of the work"], DISTRIBUTION, "Distribution of pixels and frames."),
         "directives": [(file, code(file, begin)) for file, begin in DIRECTIVES],
-        "profiles": _with(profiles, f"{march}, for every fractal, precision and mode." if march else "")
+        "profiles": profiles
         or [Missing("The profile", "bin/bench --study profile --json report/results/profile.json")],
         "scaling": _scaling(material),
         "threads": _threads(material),
-        "ablation": _with(ablations, _worth(material))
+        "ablation": ablations
         or [Missing("The ablation", "bin/bench --study ablation --json report/results/ablation.json")],
     }

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Agreement of all pictures: both scenes, and the results of verification."""
 
-from __future__ import annotations
-
-import io
 from typing import Any
 
 from PIL import Image
 
-from ..blocks import Block, Figure, Missing, Table, data_uri
-from ..pictures import SCENES, Key
+from ..blocks import Block, Figure, Missing, Table
+from ..pictures import SCENES, Key, encoded
 from . import Material
 
 SHOWN = 400  # pixels
@@ -20,11 +17,9 @@ def _picture(material: Material, fractal: str) -> Figure | None:
     picture = studio.picture(Key(fractal, "double", "exact", material.backends.host)) if studio.there else None
     if picture is None:
         return None
-    buffer = io.BytesIO()
     small = picture.image.resize((SHOWN, SHOWN), Image.Resampling.LANCZOS)
-    small.save(buffer, format="WEBP", quality=90)
     alt = f"The {fractal}'s official scene in double and exact mode."
-    return Figure(data_uri("image/webp", buffer.getvalue()), alt, f"The {fractal.capitalize()}, official scene.", False)
+    return Figure(encoded(small, "webp", quality=90), alt, f"The {fractal.capitalize()}, official scene.", False)
 
 
 def _verification(material: Material) -> Block:

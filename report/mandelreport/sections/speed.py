@@ -1,26 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """The fastest backends of the primary study, compared with both baselines."""
 
-from __future__ import annotations
-
-import dataclasses
 from typing import Any
 
 from markupsafe import Markup
 
 from ..answers import named
 from ..bench import Bench
-from ..blocks import Block, Figure, Missing, Table
+from ..blocks import Missing, Table, seen
 from ..figures import timings
 from ..models import label, ranked, with_scalar
 from ..number import Number
 from ..text import digits, join, where
 from . import Material
 from .tables import quotient_cell, time_cell
-
-
-def _see(figure: Figure | None, text: str) -> Figure | None:
-    return figure and dataclasses.replace(figure, see=text)
 
 
 def _table(material: Material, bench: Bench) -> Table:
@@ -92,10 +85,10 @@ def section(material: Material) -> dict[str, Any]:
         return {"missing": Missing("The timings", "make bench")}
     backends = material.backends
     machines = material.results.machines()
-    blocks: list[Block | None] = [
+    blocks = [
         _table(material, bench),
-        _see(timings.over_scalar(bench, backends), _cost_see(material, bench)),
-        _see(timings.share_of_peak(bench, backends), _peak_see(bench)),
-        _see(timings.machines(machines), _machines_see(machines)),
+        seen(timings.over_scalar(bench, backends), _cost_see(material, bench)),
+        seen(timings.share_of_peak(bench, backends), _peak_see(bench)),
+        seen(timings.machines(machines), _machines_see(machines)),
     ]
     return {"blocks": [block for block in blocks if block], "warnings": bench.data["warnings"], "name": bench.name}

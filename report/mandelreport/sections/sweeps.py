@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sweeps: studies in which one setting varies. The sweep of threads and the ablation are in the main part."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from ..blocks import Block, Missing

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of the primary study and of performance portability. All results of the standard study are in a CSV file."""
 
-from __future__ import annotations
-
 import json
-import subprocess
 from typing import Any
 
 from ..bench import Bench, Row
-from ..blocks import Missing, Table, data_uri
-from ..errors import InputError
+from ..blocks import Missing, Output, Table, data_uri
+from ..errors import output_of
 from ..figures import portability
 from ..models import label
 from ..results import checked
@@ -87,25 +84,14 @@ def _peaks(material: Material) -> Table | None:
 
 
 def _portability(material: Material) -> list[dict[str, Any]]:
-    """Returns Pennycook's metric over all platforms: from a file of `bench portability` if the results have one, else
-    from the only machine's result, else from a run of `bench portability` over the machines' results."""
-    results, standard = material.results, material.results.machines()
-    if results.portability is not None or not standard:
-        return results.portability or []
+    """Returns Pennycook's metric over all platforms: from a run of `bench portability` over the machines' results, or
+    from the result of the only machine."""
+    standard = material.results.machines()
     program = material.studio.render.with_name("bench")
-    if len(standard) == 1 or not program.exists():
-        return standard[0].data["portability"]
-    material.work.mkdir(parents=True, exist_ok=True)
-    target = material.work / "portability.json"
-    run = subprocess.run(
-        [program, "portability", *(bench.path for bench in standard), "--json", target],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    if run.returncode != 0:
-        raise InputError(f"{program}: {(run.stderr.strip().splitlines() or ['failed without a message'])[-1]}")
-    return checked(str(target), json.loads(target.read_text(encoding="utf-8")), "portability")
+    if len(standard) > 1 and program.exists():
+        text = output_of(program, "portability", *(bench.path for bench in standard), "--json", "-")
+        return checked("bench portability", json.loads(text), "portability")
+    return standard[0].data["portability"] if standard else []
 
 
 def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[str]]) -> Table | None:
@@ -199,7 +185,7 @@ def section(material: Material) -> dict[str, Any]:
         factor_table(material),
         *map(_race, material.results.races),
     ]
-    divergence = material.results.code_divergence
+    divergence, mix = material.results.code_divergence, material.results.loop_mix
     return {
         "tables": [table for table in tables if table],
         "csv": data_uri("text/csv", material.timings.encode()) if material.timings else None,
@@ -210,6 +196,7 @@ def section(material: Material) -> dict[str, Any]:
         "cascade": portability.cascade(metric, material.backends),
         "lines_of_code": _lines_of_code(divergence) if divergence else None,
         "navigation": portability.navigation(metric, divergence, material.backends) if divergence else None,
-        "loop_mix": material.results.loop_mix,
-        "no_loop_mix": Missing("The instructions of the estimators' loops", "make loop-mix"),
+        "loop_mix": Output(mix, wide=False)
+        if mix
+        else Missing("The instructions of the estimators' loops", "make loop-mix"),
     }

@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mandelbox compared with Mandelbulb, and the cost of double."""
 
-from __future__ import annotations
-
-import dataclasses
 from typing import Any
 
 from markupsafe import Markup
@@ -12,7 +9,7 @@ from ..answers import counted
 from ..answers import factors as traced_factors
 from ..answers import verdict
 from ..bench import Bench, Row
-from ..blocks import Missing, Table
+from ..blocks import Missing, Table, seen
 from ..figures import timings
 from ..figures.why import Factors, comparison, factors
 from ..number import Number
@@ -130,7 +127,7 @@ def _study(material: Material, bench: Bench) -> dict[str, Any]:
     figure = comparison(pairs)
     return {
         "answers": [a for p in ("double", "float") if (a := _answer(material, bench, found, p))],
-        "figure": figure and dataclasses.replace(figure, see=_see(pairs)),
+        "figure": figure and seen(figure, _see(pairs)),
     }
 
 
@@ -154,10 +151,9 @@ def section(material: Material) -> dict[str, Any]:
     return {
         "study": _study(material, first) if first else None,
         "missing": Missing("The answer", "bin/bench --study box-vs-bulb --json report/results/box-vs-bulb.json"),
-        "ratios": figure
-        and dataclasses.replace(
+        "ratios": seen(
             figure,
-            see="a register holds two floats per double, and the estimators' loops have more instructions in double (Appendix B): together "
-            "a factor of more than two if a backend uses SIMD. Scalar code gains less.",
+            "a register holds two floats per double, and the estimators' loops have more instructions in double "
+            "(Appendix B): together a factor of more than two if a backend uses SIMD. Scalar code gains less.",
         ),
     }
