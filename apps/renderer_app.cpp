@@ -76,7 +76,9 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.set_version_flag("--version", version_line(program));
     Options options;
     std::string without;
-    app.add_option("PARAMS", options.parameters, "parameter file (.dat); -: standard input");
+    app.add_option("PARAMS", options.parameters,
+                   fmt::format("parameter file (.dat); -: standard input{}",
+                               fractal == nullptr ? "; without it, renders the fractal's official scene" : ""));
     if (fractal == nullptr) add_fractal_option(app, options.fractal);
     add_backend_option(app, options.backend, registry);
     app.add_option("--device", options.renderer.device, "device of that backend, from 0 (see --list-devices)")
@@ -142,10 +144,18 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     if (options.fractal.empty() && !options.lists()) {
         throw InputError(fmt::format("{}: no fractal given, expected --fractal NAME (--help lists them)", program));
     }
-    if (options.parameters.empty() && !options.lists()) {
+    if (options.parameters.empty() && fractal != nullptr && !options.lists()) {
         throw InputError(fmt::format("{}: no parameter file given, expected {} PARAMS.dat", program, program));
     }
     return options;
+}
+
+// Returns the parameters of the file or, if no file is given, of the fractal's official scene.
+ParameterFile parameters_of(const Options& options)
+{
+    const Fractal& fractal = fractal_named(options.fractal);
+    if (!options.parameters.empty()) return read_parameters(options.parameters, fractal);
+    return parse_parameters(fractal.official, fmt::format("the official scene of {}", fractal.name), fractal);
 }
 
 // Applies --size to the scene.
@@ -270,7 +280,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
         print(std::string_view(options.json ? fractals_json() : fractals_text()));
         return exit_success;
     }
-    ParameterFile parameters = read_parameters(options.parameters, fractal_named(options.fractal));
+    ParameterFile parameters = parameters_of(options);
     for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
     Scene& scene = parameters.scene;
     apply_size(options, scene);

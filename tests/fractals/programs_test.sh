@@ -4,13 +4,11 @@
 bin=$1
 fractals=$2
 name=$(basename "$fractals"/*.h .h)
-# Extracts the official parameter file from the fractal's descriptor.
-sed -n '/R"dat(/,/^)dat"/p' "$fractals/$name.cpp" | sed -e 's/.*R"dat(//' -e '/^)dat"/d' >"$name.dat"
 # holds FILE CODE: runs Python code, in which `data` is the content of a JSON file, and fails if an assertion fails.
 holds() { python3 -c "import json, sys; data = json.load(open(sys.argv[1])); $2" "$1" || fail "$1 is not as expected"; }
 
 test_render() {
-    draw=("$bin/render" --fractal "$name" "$name.dat" --size 120x90 --backend)
+    draw=("$bin/render" --fractal "$name" --size 120x90 --backend)
     expect 0 "${draw[@]}" openmp --output a.exr
     expect 0 "${draw[@]}" openmp --simd-width 1 --output b.exr
     same_picture a.exr b.exr

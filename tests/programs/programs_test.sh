@@ -187,7 +187,11 @@ test_arguments() {
         expect 2 "$bin/mandelbulb" $arguments
     done
     expect 2 "$bin/render" paramsBulb.dat
-    expect 2 "$bin/render" --fractal sponge paramsBulb.dat
+    expect 2 "$bin/render" --fractal no-such-fractal paramsBulb.dat
+    # Without a parameter file, render draws the official scene.
+    expect 0 "$bin/render" --fractal box --size 40x30 --output official.png
+    expect 0 "$bin/render" --fractal box paramsBox.dat --size 40x30 --output given.png
+    same_file official.png given.png "without a parameter file"
     expect 2 bulb --projection fish
     says 'projection: fish not in \{perspective,equirectangular\}'
     # Old names of options and values still work.

@@ -21,7 +21,7 @@ LAYERS = [
     ["core/scene/fractals"],
     ["core/render"],
     ["core/isolation", "core/job", "instruments"],
-    [f"backends/{name}" for name in ("cuda", "kokkos", "omptarget", "openacc", "opencl", "openmp", "reference", "skeleton", "stdpar", "vulkan")],
+    sorted(f"backends/{path.name}" for path in (ROOT / "backends").iterdir() if path.is_dir()),
     ["backends"],
     ["cli", "flight/field"],
     ["flight/path"],

@@ -177,7 +177,7 @@ TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
 TEST(Fractals, ByNameAndNickname)
 {
     EXPECT_EQ(&fractal_named("bulb"), &fractal_named("mandelbulb"));
-    EXPECT_THROW(fractal_named("sponge"), InputError);
+    EXPECT_THROW(fractal_named("no-such-fractal"), InputError);
 }
 
 }  // namespace
