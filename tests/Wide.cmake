@@ -55,6 +55,9 @@ mandelmarch_sibling(fractal 3 bench render flythrough imgdiff every_fractal_test
 set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
 mandelmarch_script(same_bits.compilers siblings/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
 set_tests_properties(same_bits.compilers PROPERTIES FIXTURES_REQUIRED clang WORKING_DIRECTORY ${source})
+mandelmarch_cases(omptarget.clang omptarget/clang_test.sh WIDE bits plugin
+    ARGUMENTS ${bin} ${source} ${source}/build/clang/bin)
+set_tests_properties(omptarget.clang.bits omptarget.clang.plugin PROPERTIES FIXTURES_REQUIRED clang)
 foreach(preset asan tsan)
     mandelmarch_test(suite.${preset} WIDE COMMAND ${CMAKE_CTEST_COMMAND} --preset ${preset})
     set_tests_properties(suite.${preset} PROPERTIES FIXTURES_REQUIRED ${preset} TIMEOUT 2400 WORKING_DIRECTORY ${source})
