@@ -21,10 +21,24 @@ set(MANDELMARCH_NVPTX_LINK "-foffload-options=nvptx-none=${MANDELMARCH_NVPTX_LIN
 # `make k40` reports the registers.
 set(MANDELMARCH_NVPTX_FEW_REGISTERS -O2 -fno-gcse -fno-tree-pre -fno-move-loop-invariants -fno-tree-loop-optimize)
 
+# mandelmarch_loop_compiles(RESULT DIRECTIVE): sets RESULT to whether the compiler can compile a loop under the pragma
+# DIRECTIVE, with the caller's CMAKE_REQUIRED_FLAGS and CMAKE_REQUIRED_LINK_OPTIONS.
+function(mandelmarch_loop_compiles result directive)
+    include(CheckCXXSourceCompiles)
+    check_cxx_source_compiles("
+        int main(int count, char**)
+        {
+            float sums[64];
+        #pragma ${directive}
+            for (int i = 0; i < 64; ++i) sums[i] = float(i) * float(count) + 1;
+            return sums[63] > 0 ? 0 : 1;
+        }" ${result})
+    set(${result} ${${result}} PARENT_SCOPE)
+endfunction()
+
 # mandelmarch_offloads(BACKEND FLAG DIRECTIVE): sets MANDELMARCH_BACKEND_OFFLOADS to whether g++ with FLAG can compile a
 # loop under the pragma DIRECTIVE for nvptx. If it cannot, prints the reason.
 function(mandelmarch_offloads backend flag directive)
-    include(CheckCXXSourceCompiles)
     string(TOUPPER MANDELMARCH_${backend}_OFFLOADS result)
     set(${result} FALSE PARENT_SCOPE)
     if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -43,14 +57,7 @@ function(mandelmarch_offloads backend flag directive)
     set(CMAKE_REQUIRED_FLAGS "${flag} -foffload=nvptx-none -fno-pie")
     set(CMAKE_REQUIRED_LINK_OPTIONS ${flag} -foffload=nvptx-none -no-pie
         "${MANDELMARCH_NVPTX_LINK}${MANDELMARCH_NVPTX_ASSEMBLER}/")
-    check_cxx_source_compiles("
-        int main(int count, char**)
-        {
-            float sums[64];
-        #pragma ${directive}
-            for (int i = 0; i < 64; ++i) sums[i] = float(i) * float(count) + 1;
-            return sums[63] > 0 ? 0 : 1;
-        }" ${result})
+    mandelmarch_loop_compiles(${result} "${directive}")
     if(NOT ${result})
         message(STATUS "${backend}: g++ cannot compile '#pragma ${directive}' for nvptx")
     endif()

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The omptarget backend: the kernel in OpenMP's target directives, on NVIDIA GPUs or on the host's cores.
+// The omptarget backend: the kernel in OpenMP's target directives, on devices of OpenMP or on the host's cores.
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <omp.h>
-#include <openacc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -12,9 +11,10 @@
 #include <cstring>
 #include <string>
 
+#include "backends/omptarget/devices.h"
+#include "backends/omptarget/shape.h"
 #include "core/base/cores.h"
 #include "core/base/error.h"
-#include "core/base/text.h"
 #include "core/job/model.h"
 #include "core/job/nvidia.h"
 
@@ -71,14 +71,6 @@ void* symbol(const std::string& name)
     return library().handle == nullptr ? nullptr : dlsym(library().handle, name.c_str());
 }
 
-// OpenMP has no query for a device's name and memory. OpenACC, which is in the same run-time library, has such queries,
-// and numbers the devices in the same way.
-std::string text_of(int device, acc_device_property_t property)
-{
-    const char* text = acc_get_property_string(device, acc_device_nvidia, property);
-    return text != nullptr && *text != '\0' ? printable(text) : "unknown";
-}
-
 job::DrawKernel* drawing(std::string_view variant)
 {
     return reinterpret_cast<job::DrawKernel*>(symbol(fmt::format("loops_{}", variant)));
@@ -89,7 +81,7 @@ job::Chains* chains(std::string_view precision)
     return reinterpret_cast<job::Chains*>(symbol(fmt::format("peak_{}", precision)));
 }
 
-// Device numbers are OpenMP's: the GPUs come first, and the host's number is the number of GPUs.
+// Device numbers are OpenMP's: the devices come first, and the host's number is the number of devices.
 class Omptarget : public job::Model {
 public:
     std::string_view name() const override { return "omptarget"; }
@@ -110,19 +102,9 @@ public:
     job::OpenedDevice open(int index) const override
     {
         const int gpus = omp_get_num_devices();
-        if (index < gpus) {
-            // OpenACC must come first: it refuses to begin with a device that OpenMP has opened.
-            const Device device{.name = text_of(index, acc_property_name),
-                                .vendor = text_of(index, acc_property_vendor),
-                                .driver = text_of(index, acc_property_driver),
-                                .is_gpu = true};
-            omp_target_free(omp_target_alloc(1, index), index);  // opens the device: the driver translates the kernels
-            return {.device = device,
-                    .instruction_set = "PTX for sm_35",
-                    .pixels_per_band = job::pixels_per_launch(index),
-                    .peak_threads = 1 << 21};
-        }
-        const std::string why = gpus == 0 ? "no NVIDIA GPU here" : "instead of a GPU";
+        if (index < gpus) return omptarget::opened(index, chains("float"));
+        const std::string why =
+            gpus == 0 ? fmt::format("no {} here", omptarget::kind) : fmt::format("instead of an {}", omptarget::kind);
         const std::string name = fmt::format("host, its cores: {}", why);
         return {.device = {.name = name,
                            .vendor = "OpenMP run-time library",
@@ -151,14 +133,14 @@ public:
 
     double seconds_of(const std::function<void()>& launch) const override
     {
-        const bool on_gpu = omp_get_default_device() < omp_get_num_devices();
-        return on_gpu ? job::seconds_on_gpu(launch) : Model::seconds_of(launch);
+        const bool cores = omptarget::on_cpu(omp_get_default_device());
+        return cores ? Model::seconds_of(launch) : job::seconds_on_gpu(launch);
     }
 
     std::optional<std::size_t> free_memory(int index) const override
     {
         if (index >= omp_get_num_devices()) return std::nullopt;
-        return acc_get_property(index, acc_device_nvidia, acc_property_free_memory);
+        return omptarget::free_memory(index);
     }
     void* allocate(std::size_t bytes) const override { return omp_target_alloc(bytes, omp_get_default_device()); }
     void release(void* address) const override { omp_target_free(address, omp_get_default_device()); }

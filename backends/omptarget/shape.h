@@ -14,6 +14,17 @@ struct Shape {
     int chunk;    // iterations that a team takes at a time
 };
 
+// Returns true if a device of OpenMP is a CPU: the host, or a device that shares its cores.
+inline bool on_cpu(int device)
+{
+#ifdef MM_DEVICE_IS_CPU
+    static_cast<void>(device);
+    return true;
+#else
+    return device == omp_get_initial_device();
+#endif
+}
+
 inline constexpr int warp_threads = 32;
 // A team on a GPU takes this many blocks of iterations at a time, and its warps then wait for each other. With fewer
 // blocks they would wait longer; with more, a team could get all expensive pixels (docs/notes/experiments.md).
@@ -21,10 +32,10 @@ inline constexpr int blocks_at_a_time = 2;
 
 // On a GPU, g++ maps a team to a GPU thread block, an OpenMP thread to a warp, and the lanes of `simd` to the warp's 32
 // threads; without `simd`, only one thread of each warp would work. The run-time library starts fewer teams than
-// blocks: as many as the GPU holds at once. They take blocks in turns. On the host, one team uses all cores.
+// blocks: as many as the GPU holds at once. They take blocks in turns. On a CPU, one team uses all cores.
 inline Shape shape_of(int iterations)
 {
-    if (omp_get_default_device() == omp_get_initial_device()) return {1, omp_get_max_threads(), iterations};
+    if (on_cpu(omp_get_default_device())) return {1, omp_get_max_threads(), iterations};
     return {iterations / job::block_threads, job::block_threads / warp_threads, blocks_at_a_time * job::block_threads};
 }
 

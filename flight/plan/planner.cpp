@@ -288,6 +288,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     constexpr int usual_attempts = 12;
     constexpr int most_missed = 6;  // tours that miss a place, if no tour has visited all places
     Best best;
+    std::string missed;  // message of the tour before
     int attempts = 0;
     for (int number = 0; number < most_attempts; ++number) {
         budget.check();
@@ -297,7 +298,10 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
             say(planner.missed().empty()
                     ? fmt::format("tour {}: too short{}", number, schedule.changes() ? ", or not in time" : "")
                     : fmt::format("tour {}: {}", number, planner.missed()));
-            if (!planner.missed().empty() && best.path.frames.empty() && number + 1 >= most_missed) break;
+            // The same message twice means that the tours' random choices change nothing.
+            const bool again = planner.missed() == missed || number + 1 >= most_missed;
+            if (!planner.missed().empty() && best.path.frames.empty() && again) break;
+            missed = planner.missed();
             continue;
         }
         const Audit result = audit(path, threads, 0, audit_stride);
