@@ -187,6 +187,19 @@ void set_frames(const Given& given, Flythrough& options)
     options.chosen = *range;
 }
 
+// Throws InputError if --from and --to choose no frame of the flight, as far as that is known before planning.
+void check_seconds(const Flythrough& options)
+{
+    const Part& part = options.part;
+    if (part.from && part.to && *part.from >= *part.to) {
+        throw InputError(fmt::format("--from, --to: {} and {} given, expected a later end", *part.from, *part.to));
+    }
+    const double length = static_cast<double>(options.frames) / options.rate;
+    if (!options.reads_path() && std::max(part.from.value_or(0), part.to.value_or(0)) > length) {
+        throw InputError(fmt::format("--from, --to: the film has {:.4g} s, expected seconds within it", length));
+    }
+}
+
 }  // namespace
 
 std::vector<NamedFile> Flythrough::written() const
@@ -239,12 +252,12 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
             fmt::format("--from, --to, --chapter: {} uses the whole flight, expected film, render or preview",
                         name_of(options.command)));
     }
+    check_seconds(options);
     if (!options.stills.empty() && !options.summary.empty()) {
         throw InputError("--summary: cannot be combined with --stills (it describes a film)");
     }
     options.path = reads ? input_name(options.path) : output_name(options.path);
     options.parameters = input_name(options.parameters);
-    options.places = input_name(options.places);
     for (std::string* file : {&options.output, &options.json, &options.map, &options.summary})
         *file = output_name(*file);
     if (options.output.empty()) {

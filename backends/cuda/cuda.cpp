@@ -117,7 +117,7 @@ public:
         const CUresult result = driver().cuMemAlloc(&address, bytes);
         if (result == CUDA_ERROR_OUT_OF_MEMORY) return nullptr;
         check(result, "allocating device memory");
-        return reinterpret_cast<void*>(address);
+        return reinterpret_cast<void*>(address);  // NOLINT(performance-no-int-to-ptr): CUdeviceptr is an integer
     }
     void release(void* address) const override { driver().cuMemFree(device_address(address)); }
     void upload(void* to, const void* from, std::size_t bytes) const override

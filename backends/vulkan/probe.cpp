@@ -42,7 +42,7 @@ enum class Found { nothing, quotients, contraction };
 template <class Real>
 Found probed(Gpu& gpu, Workbench& bench, const std::string& module)
 {
-    constexpr int canaries = 5;
+    constexpr std::size_t canaries = 5;
     constexpr std::array<std::size_t, 6> lengths{values, values, values, values, values, canaries * values};
     bench = {};
     bench.program = std::make_unique<Program>(gpu, module_named(module), static_cast<int>(lengths.size()));

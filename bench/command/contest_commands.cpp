@@ -21,7 +21,7 @@ namespace mandelmarch::bench {
 namespace {
 
 template <class Options, class Found>
-struct State {
+struct State {  // NOLINT(bugprone-exception-escape): moving ordered_json may throw
     Options options;
     Found found;
     Outputs outputs;

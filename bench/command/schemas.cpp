@@ -189,7 +189,7 @@ Json schema_json(const Kind& kind)
 // Formats a schema with one line for each property.
 std::string compact(const Json& json, const std::string& key = "", const std::string& indent = "")
 {
-    const std::string line = json.dump();
+    std::string line = json.dump();
     const bool members = key == "properties" || key == "$defs" || line.find("\"properties\":") != std::string::npos;
     if (!json.is_object() || !members) return line;
     std::vector<std::string> lines;

@@ -35,6 +35,7 @@ std::string lack_of(const DuelRow& row)
 Judged tested(std::string name, const std::map<int, double>& by_run, double margin)
 {
     std::vector<double> ratios;
+    ratios.reserve(by_run.size());
     for (const auto& [run, ratio] : by_run) ratios.push_back(ratio);
     Judged j{.name = std::move(name), .verdict = Verdict::undecided};
     j.difference = paired_difference(ratios, margin);

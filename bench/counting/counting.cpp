@@ -44,6 +44,7 @@ Count together(const std::vector<BlockCount>& blocks, const CountOptions& option
     }
     for (std::size_t i = 0; i < options.lanes.size(); ++i) {
         std::vector<LaneCount> of_blocks;
+        of_blocks.reserve(blocks.size());
         for (const BlockCount& block : blocks) of_blocks.push_back(block.lanes[i]);
         count.lane_use.push_back(LaneCount::use(of_blocks, every_pixel));
     }

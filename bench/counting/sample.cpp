@@ -51,7 +51,7 @@ std::vector<Block> all_blocks(int width, int height)
 std::vector<Block> sample_of_blocks(int width, int height, std::int64_t most)
 {
     const std::vector<Block> all = all_blocks(width, height);
-    const auto strata = std::clamp<std::int64_t>(most / (block_side * block_side), 1, std::ssize(all));
+    const auto strata = std::clamp<std::int64_t>(most / (std::int64_t{block_side} * block_side), 1, std::ssize(all));
     std::vector<Block> sample;
     for (const std::size_t at : one_of_each(strata, all.size())) sample.push_back(all[at]);
     return sample;

@@ -34,7 +34,7 @@ struct Problem {
     Precision precision;
     Mode mode;
     int width, height;
-    auto operator<=>(const Problem&) const = default;
+    auto operator<=>(const Problem&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads <=>
 };
 
 using Seconds = std::map<std::pair<std::string, std::string>, double>;  // by application and platform

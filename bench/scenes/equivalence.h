@@ -40,7 +40,7 @@ struct Discrepancy {
     std::string what;        // the first differing pixel with both values, the work counts, or the error
 };
 
-struct EquivalenceResult {
+struct EquivalenceResult {  // NOLINT(bugprone-exception-escape): moving ordered_json may throw
     EquivalenceOptions options;
     std::string expected_by;  // name of the backend with the role host, which renders the expected pictures
     nlohmann::ordered_json environment;

@@ -17,7 +17,7 @@ namespace mandelmarch::bench {
 struct FractalStudy {
     static constexpr std::array usual_iterations{2, 4, 8, 16, 32, 64, 100};
 
-    std::string_view fractal = "";                       // name
+    std::string_view fractal;                            // name
     std::span<const int> iterations = usual_iterations;  // limits that the study `iterations` compares
     // A view that the surface fills, for the study box-vs-bulb.
     struct CloseUp {

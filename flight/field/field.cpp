@@ -96,12 +96,12 @@ void Budget::check() const
 }
 
 DistanceField::DistanceField(const Scene& scene, int threads, const Budget* budget)
-    : scene_(scene),
+    : data_(kernel_scene<layout_f64::Scene>(scene, Mode::exact)),
+      scene_(scene),
       kernel_(field::kernel_of(scene.fractal->name)),
-      data_(kernel_scene<layout_f64::Scene>(scene, Mode::exact)),
+      budget_(budget),
       safety_(scene.fractal->flight.trust_of(scene).safety),
-      threads_(threads > 0 ? threads : usable_threads()),
-      budget_(budget)
+      threads_(threads > 0 ? threads : usable_threads())
 {
     const std::optional<Bounds> known = scene.fractal->flight.body(scene);
     bounds_ = known ? *known : sphere_by_rays(*this);

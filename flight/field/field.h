@@ -70,13 +70,13 @@ public:
     double least_between(Vector a, Vector b, double floor) const;
 
 private:
+    layout_f64::Scene data_;
     Scene scene_;
     field::Kernel kernel_;
-    layout_f64::Scene data_;
+    Bounds bounds_;
+    const Budget* budget_;
     double safety_;
     int threads_;
-    const Budget* budget_;
-    Bounds bounds_;
 };
 
 // Returns a message of one line that says why the scene's fractal cannot be flown through and which input is expected;

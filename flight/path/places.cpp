@@ -126,6 +126,7 @@ private:
         place.stay = given(7) ? real(fields, 7, 0, most_stay) : usual_stay;
         place.tour = places_.tour_after;
         place.line = number_;
+        if (place.tour && place.second == 0) fail("second is 0, expected a later one after a tour");
         in_time(place);
         if (place.second) {
             latest_ = *place.second + place.stay;
@@ -174,9 +175,11 @@ Places read_places(const std::string& file)
 {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf())) {
+    stream.peek();  // fails for a folder, but also at the end of an empty file
+    if (!stream.is_open() || stream.bad()) {
         throw InputError(fmt::format("{}: cannot be read, expected a places file", file));
     }
+    text << stream.rdbuf();
     return places_from_text(text.str(), file);
 }
 

@@ -13,7 +13,7 @@ namespace mandelmarch {
 
 struct Place {
     Vector eye, target;            // the camera's position, and a point in the middle of the picture
-    std::optional<double> second;  // time at which the camera arrives; nullopt: as the flight gets there
+    std::optional<double> second;  // time at which the camera arrives; nullopt: the planner chooses it
     double stay = 0;               // seconds during which the camera remains close to the place and looks at the target
     bool tour = false;             // true: the flight tours on its way to this place
     int line = 0;                  // of the file, from 1

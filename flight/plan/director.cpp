@@ -29,8 +29,8 @@ constexpr double most_aside = 50 * degree;       // angle between gaze and motio
 constexpr double off_motion = 0.5;               // cost of the angle most_aside between gaze and motion
 constexpr double too_far_off = 20;               // additional cost of twice that angle
 constexpr double off_stop = 200;                 // cost of the angle most_aside between gaze and a stop's direction
-constexpr double around_stop = 45;               // frames before and after a stop; the smoothing mixes them with it
-constexpr double turning = 0.6;                  // cost of a turn by farthest_turn
+constexpr double around_stop = 45;  // frames before and after a stop in which the gaze has the direction of the stop
+constexpr double turning = 0.6;     // cost of a turn by farthest_turn
 
 // Thresholds for the contents of a view, tuned with ten seeds for each of two fractals.
 constexpr double enough_hits = 0.75, few_hits = 0.3;     // fractions of the view that hit something

@@ -17,6 +17,7 @@
 #include "flight/plan/gaze.h"
 #include "flight/plan/trajectory.h"
 #include "flight/plan/roadmap.h"
+#include "flight/plan/stops.h"
 #include "flight/plan/visits.h"
 
 namespace mandelmarch {
@@ -60,7 +61,10 @@ public:
     const RoadmapSet& atlas() const { return atlas_; }
 
     // Finds the places in the free space. Called before attempt(). Throws InputError as visits_of() does.
-    void find_places() { visits_ = visits_of(places_, atlas_.stretches(frames_).front(), least_clearance * size_); }
+    void find_places()
+    {
+        visits_ = visits_of(places_, atlas_.stretches(frames_).front(), least_clearance * size_, frames_);
+    }
 
     // Returns a message about the place that the last tour missed; "" if it missed none.
     const std::string& missed() const { return missed_; }
@@ -69,6 +73,7 @@ public:
     // a place or, if the shape changes, if the camera cannot keep to the schedule.
     Path attempt(int number)
     {
+        missed_.clear();
         FlightRandom random(seed_ * 0x100 + static_cast<std::uint64_t>(number) + 1);
         for (int i = 0; i < 4; ++i) random.next();
         TourLength length;

@@ -32,7 +32,9 @@ public:
             add(first, Pin::none, 0);
         }
         for (const Visit& visit : visits_) at = fly_by(at, visit);
-        const double most_cost = visits_.empty() ? length_.cost : std::max(length_.cost, tour_.cost + 1);
+        // The penalties of the ways to places do not shorten the tour that follows.
+        const double most_cost =
+            visits_.empty() ? length_.cost : tour_.cost + std::max(length_.cost - tour_.flown, 1.0);
         int refused = 0;
         while (tour_.cost < most_cost && tour_.clock < length_.clock) {
             const Entry entry = next(at);

@@ -1,42 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visits: the places of a places file on a tour, on its curve, and in the time of a trajectory.
+// Visits: the places of a places file on a tour.
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "flight/path/places.h"
 #include "flight/plan/roadmap.h"
 #include "flight/plan/tour.h"
-#include "flight/plan/trajectory.h"
 
 namespace mandelmarch {
 
 // Returns the visits of a tour through the roadmap's free space. Their numbers of gates are 0 (see give_gates()).
-// `least`: the smallest clearance of a tour. Throws InputError with the name of the file, the line and the nearest
-// alternative in these cases:
+// `least`: the smallest clearance of a tour; `frames`: those of the film. Throws InputError with the name of the file,
+// the line and, if there is one, the nearest alternative in these cases:
+// - The second of a place is after the film's end.
 // - The camera cannot reach a place.
 // - From a place, the picture's middle shows nothing of the fractal.
-std::vector<Visit> visits_of(const Places& places, const RoadmapSpan& roads, double least);
+std::vector<Visit> visits_of(const Places& places, const RoadmapSpan& roads, double least, int frames);
 
 // Sets how many gates lead to each visit. `pace`: the expected speed, in clearances per frame.
 void give_gates(std::span<Visit> visits, const Places& places, double pace);
-
-// Returns the stops at the curve's places. During a stay, the camera is within three quarters of a clearance of the
-// place.
-std::vector<Stop> stops_of(const Bounds& bounds, const Curve& track, const Places& places,
-                           std::span<const Visit> visits);
-
-// Changes the curve's speed factors so that the camera arrives at the stops in time and stays there, as far as the pace
-// allows. Returns the trajectory, which has up to 3 * `frames` frames, and its largest time error.
-Timed ride_to_stops(const Bounds& bounds, Curve& track, double pace, int frames, std::span<Stop> stops);
-
-// Turns the gaze gradually to the stops' directions, and keeps it there during the stays.
-void hold_gaze(std::vector<Vector>& gaze, std::span<const Stop> stops);
-
-// Returns a message about the first stop that is not met: the camera is too early or too late, or does not look in the
-// stop's direction. Returns "" if all stops are met. `gaze`: one unit vector per frame.
-std::string missed_stop(const Places& places, std::span<const Stop> stops, std::span<const Vector> gaze);
 
 }  // namespace mandelmarch

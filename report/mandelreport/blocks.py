@@ -63,6 +63,7 @@ Block = Figure | Table | Output | Missing
 
 
 def seen(figure: Figure | None, see: str) -> Figure | None:
+    """Returns the figure with `see`, the sentence that says what can be seen in it; None if there is no figure."""
     return figure and replace(figure, see=see)
 
 

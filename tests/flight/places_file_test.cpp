@@ -80,6 +80,7 @@ TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
              {"1,2,3,0,0,0,20\n\n1,2,3,0,0,0,21", "a.csv:4: second is 21, expected more than 22"},
              {"1,2,3,0,0,0,20\n1,2,3,0,0,0\n1,2,3,0,0,0,23", "a.csv:4: second is 23, expected more than 24"},
              {"tour\ntour\n1,2,3,0,0,0", "a.csv:3: this is the second tour on end"},
+             {"tour\n1,2,3,0,0,0,0", "a.csv:3: second is 0, expected a later one after a tour"},
              {"tuor", "a.csv:2: location_x is 'tuor'"},
              {"tour", "a.csv: no places"},
          }) {
@@ -100,6 +101,20 @@ TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
                 << error.what();
         }
     }
+}
+
+TEST(PlacesFile, EmptyFileHasNoHeaderAndAFolderCannotBeRead)
+{
+    const auto message = [](const std::string& file) -> std::string {
+        try {
+            read_places(file);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_TRUE(message("/dev/null").starts_with("/dev/null:1: the table is empty")) << message("/dev/null");
+    EXPECT_EQ(message("/"), "/: cannot be read, expected a places file");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int frames = 1800;
 
-// The lines of the views ravine and terraces, a tour, and the view temple (report/views).
+// The lines of the views ravine and terraces, a tour, and the view temple (views).
 const std::string ravine = "5.273290104,1.387809562,5.400536058,4.976588959,0.5206696182,5.000490125,";
 const std::string terraces = "4.59089102,3.307132358,5.499079091,5.128894500,2.524955920,5.184830343,";
 const std::string temple = "5.401487322,0.7248474461,5.063691376,4.732755850,0.9379517075,5.776000853,";
@@ -77,6 +77,15 @@ TEST(Visits, PlacesAreReachedInTimeAndSeenDuringTheStay)
     EXPECT_GT(missed(beside), 0);
 }
 
+TEST(Visits, FlightCanBeginAtAPlaceWithoutAStay)
+{
+    const Path path =
+        plan(official_scene("box", 16, 9), {}, 3, frames, 0, {}, 0, places(ravine + "0,0\n" + terraces + ",2\n")).path;
+    const DistanceField field(path.scene, 1);
+    const Place first = places(ravine + "0,0\n").all.front();
+    EXPECT_LT(length(path.frames.front().eye - first.eye), field.distance(first.eye));
+}
+
 TEST(Visits, FlightKeepsEveryPromise)
 {
     const Audit result = audit(visiting(), 0, 0, 5);
@@ -90,7 +99,7 @@ std::string refusal(const std::string& lines)
     static const Shapes shapes(box, 0, 0);
     static const RoadmapSet roads(shapes, {});
     try {
-        visits_of(places(lines), roads.stretches(1).front(), 0.0034 * shapes.field().bounds().size);
+        visits_of(places(lines), roads.stretches(1).front(), 0.0034 * shapes.field().bounds().size, 9000);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -129,6 +138,8 @@ TEST(Visits, PlaceThatComesTooSoonOrTooLateIsNamedWithTheTimeOfTheArrival)
     };
     const std::string soon = message(ravine + "0,1\n" + terraces + "2,1\n", frames);
     EXPECT_TRUE(soon.starts_with("places.csv:3: second is 2, but the flight arrives only at ")) << soon;
+    const std::string after_end = message(ravine + "0,1\n" + terraces + "60,1\n", frames);
+    EXPECT_EQ(after_end, "places.csv:3: second is 60, but the film has 60 s, expected less or more frames");
     const std::string late = message(ravine + "0,1\n" + terraces + "300,1\n", 10'000);
     EXPECT_TRUE(late.starts_with("places.csv:3: second is 300, but the flight arrives as early as ")) << late;
     const std::string changing = [] {

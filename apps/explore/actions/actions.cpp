@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -94,8 +96,11 @@ void save_place(Model& model, Desktop& /*desktop*/)
     const std::string name =
         fmt::format("{}{}{}-places.csv", model.folder, model.folder.empty() ? "" : "/", scene.fractal->name);
     const std::size_t count = append_place(name, scene);
-    model.say(fmt::format("place {} in {}: bin/flythrough film --fractal {} --places {}", count, name,
-                          scene.fractal->name, name));
+    const Scene official = official_scene(*scene.fractal);
+    const bool official_shape = std::tie(scene.shape, scene.escape, scene.iterations) ==
+                                std::tie(official.shape, official.escape, official.iterations);
+    model.say(fmt::format("place {} in {}: bin/flythrough film --fractal {}{} --places {}", count, name,
+                          scene.fractal->name, official_shape ? "" : " --params VIEW.dat (saved with Ctrl+S)", name));
 }
 
 void copy_view(Model& model, Desktop& desktop)

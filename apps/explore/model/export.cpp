@@ -73,7 +73,7 @@ std::string command_of(const Scene& scene, const Setup& setup, const std::string
 std::string free_name(const std::string& folder, const std::string& stem)
 {
     for (int number = 1;; ++number) {
-        const std::string name = fmt::format("{}{}{}-{:03}", folder, folder.empty() ? "" : "/", stem, number);
+        std::string name = fmt::format("{}{}{}-{:03}", folder, folder.empty() ? "" : "/", stem, number);
         const std::array endings{".dat", ".png", ".json", ".mp4"};
         if (std::ranges::none_of(endings, [&](auto ending) { return std::filesystem::exists(name + ending); }))
             return name;

@@ -18,7 +18,7 @@ struct Setup {
     Precision precision = Precision::f32;
     Mode mode = Mode::fast;
 
-    auto operator<=>(const Setup&) const = default;
+    auto operator<=>(const Setup&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads <=>
 };
 
 inline std::string name_of(const Setup& setup)
