@@ -6,6 +6,8 @@ set -euo pipefail
 arch=$2
 build=build/cross/$arch/build
 tools/cross_root "$arch" || exit "$([ -n "${CI:-}" ] && echo 1 || echo 77)"
+# A compiler cache can answer CMake's question for the compiler's folders with those of another processor.
+unset CMAKE_CXX_COMPILER_LAUNCHER
 cmake -S . -B "$build" -G Ninja --toolchain cmake/cross.cmake -DMANDELMARCH_CROSS="$arch" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON -DMANDELMARCH_BACKENDS=openmp -DMANDELMARCH_TESTS=OFF \
     ${CI:+-DMANDELMARCH_WERROR=ON} >/dev/null
