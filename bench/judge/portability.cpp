@@ -156,6 +156,7 @@ private:
 double mean_of(const std::vector<OnPlatform>& platforms, double OnPlatform::*efficiency)
 {
     std::vector<double> efficiencies;
+    efficiencies.reserve(platforms.size());
     for (const OnPlatform& on : platforms) efficiencies.push_back(on.*efficiency);
     return performance_portability(efficiencies);
 }

@@ -105,6 +105,7 @@ std::vector<Contest> contests_of(const Result& result)
         }
     }
     std::vector<Contest> contests;
+    contests.reserve(groups.size());
     for (auto& rows : groups) contests.push_back(contest_of(std::move(rows)));
     std::vector<Judged> all;
     for (const Contest& contest : contests) {

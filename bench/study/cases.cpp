@@ -20,6 +20,7 @@ template <class List, class Set>
 Axis over(const List& list, Set set)
 {
     std::vector<Point> points;
+    points.reserve(list.size());
     for (const auto& element : list) points.push_back({"", [element, set](Case& one) { set(one, element); }});
     return {"", [points](const Case&) { return points; }};
 }

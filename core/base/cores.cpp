@@ -29,7 +29,7 @@ struct Mask {
     unsigned long bits[128] = {};  // room for 8192 cores
     long bytes = 0;                // number of bytes that the operating system wrote; 0 or less: unknown
 };
-constinit Mask given;
+constinit Mask given;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): set before constructors run
 
 // Sanitizers must not instrument this function, because it runs before they are initialised.
 __attribute__((no_sanitize("address", "thread", "undefined"))) void note_affinity()
@@ -37,6 +37,7 @@ __attribute__((no_sanitize("address", "thread", "undefined"))) void note_affinit
     given.bytes = syscall(SYS_sched_getaffinity, 0, sizeof given.bits, given.bits);
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the section must be writable
 __attribute__((section(".preinit_array"), used)) void (*before_libraries)() = note_affinity;
 
 int cores_given()

@@ -20,6 +20,7 @@ public:
     }
     ~Descriptor()
     {
+        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): clang-tidy 14 does not see std::exchange
         if (number_ >= 0) close(number_);
     }
 

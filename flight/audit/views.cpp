@@ -110,6 +110,7 @@ DepthView view_of(const DistanceField& field, const Frame& frame)
     const Camera camera = camera_at(frame);
     const std::vector<Vector> from(view_pixels, frame.eye);
     std::vector<Vector> along;
+    along.reserve(view_pixels);
     for (int k = 0; k < view_pixels; ++k) along.push_back(direction_of(camera, k));
     std::vector<double> t(view_pixels);
     const double end = far * field.bounds().size;

@@ -28,6 +28,7 @@ constexpr std::array film_endings{FilmEnding{".mp4", Container::mp4}, FilmEnding
 constexpr int fastest_gif = 50;  // frames per second
 
 constexpr std::size_t box_head = 8;      // bytes: size and type
+constexpr std::size_t number_size = 4;   // bytes of a number in a box
 constexpr std::size_t entries_head = 8;  // bytes before the entries of the box stsd: version, flags, number of entries
 constexpr char left_and_right = 2;       // st3d's value for side by side
 constexpr std::string_view version_0{"\0\0\0\0", 4};
@@ -59,8 +60,8 @@ std::string boxes_of(const Tags& tags)
     if (tags.side_by_side) boxes += box_of("st3d", std::string(version_0) + left_and_right);
     if (tags.equirectangular) {
         const std::string made_by = box_of("svhd", std::string(version_0).append("mandelmarch").append(1, '\0'));
-        const std::string pose = box_of("prhd", std::string(version_0.size() + 3 * 4, '\0'));
-        const std::string edges = box_of("equi", std::string(version_0.size() + 4 * 4, '\0'));
+        const std::string pose = box_of("prhd", std::string(version_0.size() + 3 * number_size, '\0'));
+        const std::string edges = box_of("equi", std::string(version_0.size() + 4 * number_size, '\0'));
         boxes += box_of("sv3d", made_by + box_of("proj", pose + edges));
     }
     return boxes;

@@ -236,7 +236,7 @@ void write_title(const std::string& folder, const std::string& file, const std::
     const std::vector<TitleLine> lines = title_lines(title, picture);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string text = fmt::format("title-{}.txt", i);
-        write_file(folder + "/" + text, lines[i].text);
+        write_file(fmt::format("{}/{}", folder, text), lines[i].text);
         const int eyes = picture.stereo ? 2 : 1;
         for (int eye = 0; eye < eyes; ++eye) {
             if (!filter.empty()) filter += ',';
