@@ -40,6 +40,7 @@ int gpus()
 }
 
 // The device that the calling thread uses. Devices 0 to n - 1 are the n GPUs; device n is the host.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): OpenACC selects a device for each thread
 thread_local int used = -1;
 
 // Selects a device for the calling thread, unless it uses that device already: gcc's run-time library asks the driver

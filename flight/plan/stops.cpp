@@ -154,7 +154,7 @@ std::string missed_stop(const Places& places, std::span<const Stop> stops, std::
             return fmt::format("{}the flight leaves the place at {:.1f} s, after the film's end, expected more frames",
                                where, stop.leaves / frames_per_second);
         }
-        const auto first = static_cast<std::size_t>(stop.arrives + 0.5);
+        const auto first = static_cast<std::size_t>(std::lround(stop.arrives));
         const auto last = std::max(first, static_cast<std::size_t>(stop.leaves));
         for (std::size_t f = first; f <= std::min(last, gaze.size() - 1); ++f) {
             if (degrees_between(gaze[f], stop.along) <= most_beside) continue;
