@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -64,6 +65,10 @@ std::string to_text(const Path& path);
 // name, and counts frames from 0.
 Path path_from_text(const std::string& text, const std::string& name);
 Path read_path(const std::string& file);
+
+// Returns the content of a text file. `kind`: what is expected, for the message of the InputError that is thrown if the
+// file cannot be read: "path file".
+std::string text_of_file(const std::string& file, std::string_view kind);
 
 // The camera's roll relative to a level horizon, for fractals that have an up and a down.
 struct Tilt {

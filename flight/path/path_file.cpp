@@ -283,14 +283,18 @@ Path path_from_text(const std::string& text, const std::string& name)
     return path;
 }
 
-Path read_path(const std::string& file)
+std::string text_of_file(const std::string& file, std::string_view kind)
 {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf())) {
-        throw InputError(fmt::format("{}: cannot be read, expected a path file", file));
+    stream.peek();  // fails for a folder, but also at the end of an empty file
+    if (!stream.is_open() || stream.bad()) {
+        throw InputError(fmt::format("{}: cannot be read, expected a {}", file, kind));
     }
-    return path_from_text(text.str(), file);
+    text << stream.rdbuf();
+    return text.str();
 }
+
+Path read_path(const std::string& file) { return path_from_text(text_of_file(file, "path file"), file); }
 
 }  // namespace mandelmarch

@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {
@@ -145,7 +144,7 @@ private:
     }
 
     Places places_;
-    int number_ = 0;      // of the line
+    int number_ = 0;      // number of the present line, from 1
     char separator_ = 0;  // 0: the header is not read yet
     double latest_ = 0;   // seconds; earliest end of the stay at the last place
 };
@@ -171,16 +170,6 @@ Places places_from_text(const std::string& text, const std::string& name)
     return reader.take();
 }
 
-Places read_places(const std::string& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    stream.peek();  // fails for a folder, but also at the end of an empty file
-    if (!stream.is_open() || stream.bad()) {
-        throw InputError(fmt::format("{}: cannot be read, expected a places file", file));
-    }
-    text << stream.rdbuf();
-    return places_from_text(text.str(), file);
-}
+Places read_places(const std::string& file) { return places_from_text(text_of_file(file, "places file"), file); }
 
 }  // namespace mandelmarch

@@ -16,7 +16,7 @@ struct Place {
     std::optional<double> second;  // time at which the camera arrives; nullopt: the planner chooses it
     double stay = 0;               // seconds during which the camera remains close to the place and looks at the target
     bool tour = false;             // true: the flight tours on its way to this place
-    int line = 0;                  // of the file, from 1
+    int line = 0;                  // number of the line in the file, from 1
 };
 
 struct Places {

@@ -26,7 +26,7 @@ struct Polyline {
 struct Tour {
     Polyline way;
     int gates = 0;
-    double cost = 0;   // of the whole tour, in clearances, with penalties
+    double cost = 0;   // cost of the whole tour, in clearances, with penalties
     double flown = 0;  // length in clearances, without penalties
     double clock = 0;  // shape time at the tour's end, in frames
 };

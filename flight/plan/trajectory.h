@@ -27,7 +27,7 @@ struct Curve {
 struct Stop {
     std::size_t first, middle, last;
     double stay;                  // frames
-    std::optional<double> frame;  // of the arrival; nullopt: the planner chooses it
+    std::optional<double> frame;  // frame of the arrival; nullopt: the planner chooses it
     Vector along;                 // unit vector; the gaze during the stay
     // In the time of a trajectory, in frames; set by ride_to_stops().
     double arrives = 0, leaves = 0;

@@ -97,7 +97,7 @@ BROKEN = """<!DOCTYPE html><title>broken</title><img src="http://127.0.0.1:9/non
 <script>console.error("said"); throw new Error("thrown");</script>"""
 
 
-def broken_twin(checker: Checker) -> None:
+def broken_page(checker: Checker) -> None:
     """Negative control: an uncaught error, a logged error and a request must be detected."""
     page = checker.pictures / "broken.html"
     write_whole(page, BROKEN.encode())
@@ -134,7 +134,7 @@ def main() -> int:
             not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
         )
     without_webgl(arguments.page, checker)
-    broken_twin(checker)
+    broken_page(checker)
     print(f"{len(checker.wrong)} wrong; screenshots in {arguments.pictures}")
     return 1 if checker.wrong else 0
 

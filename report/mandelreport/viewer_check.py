@@ -104,8 +104,8 @@ class ViewerChecker:
             mine = self.browser.run("({ ...Viewer.fields(), miss: 'Infinity' })")
             other = differing_fields(mine, json.loads(printed.stdout))
             self.expect(not other, f"{name}: the scene's fields are bin/render's{': not ' + ', '.join(other) if other else ''}")
-            twin = differing_fields(mine | {"root_share": 1.5 * mine["root_share"]}, json.loads(printed.stdout))
-            self.expect("root_share" in twin, f"{name}: a wrong root share is detected")
+            mutant = differing_fields(mine | {"root_share": 1.5 * mine["root_share"]}, json.loads(printed.stdout))
+            self.expect("root_share" in mutant, f"{name}: a wrong root share is detected")
         done = subprocess.run([*command, "--output", drawn], capture_output=True, text=True, check=False)
         self.expect(done.returncode == 0, f"bin/render renders the viewer's parameter file {done.stderr.strip()}")
         if done.returncode == 0:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every programming model gives the bits of the scalar kernel in pictures of every shape, and reports its device and
-// work. Negative controls are in twins_test.cpp; tests/equivalence tests fast mode.
+// work. Negative controls are in mutants_test.cpp; tests/equivalence tests fast mode.
 #include <gtest/gtest.h>
 
 #include <ctime>

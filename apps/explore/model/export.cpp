@@ -91,9 +91,7 @@ std::size_t append_place(const std::string& file, const Scene& scene)
 {
     std::string text = std::string(places_header) + "\n";
     if (std::filesystem::exists(file)) {
-        read_places(file);
-        std::ifstream stream(file, std::ios::binary);
-        text.assign(std::istreambuf_iterator<char>(stream), {});
+        text = text_of_file(file, "places file");
         if (!text.ends_with('\n')) text += '\n';
     }
     text += place_line(scene.eye, scene.target) + "\n";

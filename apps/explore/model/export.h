@@ -28,8 +28,8 @@ std::string command_of(const Scene& scene, const Setup& setup, const std::string
 // .mp4 exists.
 std::string free_name(const std::string& folder, const std::string& stem);
 
-// Appends the view to a places file (flight/path/places.h), which is created if it does not exist. Returns the number
-// of places in the file. Throws InputError if the file is not a places file.
+// Appends the view to a places file (flight/path/places.h), which is created if it does not exist. Returns how many
+// places the file then has. Throws InputError if the file is not a places file.
 std::size_t append_place(const std::string& file, const Scene& scene);
 
 // Returns the scene of a parameter file. The fractal is found by its name in the file's text or in the file's name. If

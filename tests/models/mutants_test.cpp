@@ -12,27 +12,27 @@
 namespace mandelmarch {
 namespace {
 
-class Twins : public testing::TestWithParam<std::tuple<std::string, Precision>> {
+class Mutants : public testing::TestWithParam<std::tuple<std::string, Precision>> {
 protected:
     const Registry registry = all_backends();
-    const Backend& twin = *registry.find(std::get<0>(GetParam()));
+    const Backend& mutant = *registry.find(std::get<0>(GetParam()));
 
     void SetUp() override
     {
-        if (const auto why = twin.unavailable()) GTEST_SKIP() << *why;
+        if (const auto why = mutant.unavailable()) GTEST_SKIP() << *why;
     }
 
     bool passes(const std::string& fractal)
     {
         Expected expected(registry);
         const std::vector<NamedScene> scenes{{"official", official_scene(fractal, 90, 60)}};
-        return check(twin, {.precision = std::get<1>(GetParam())}, fractal, scenes, expected).passed();
+        return check(mutant, {.precision = std::get<1>(GetParam())}, fractal, scenes, expected).passed();
     }
 };
 
-TEST_P(Twins, AWrongFoldFails) { EXPECT_FALSE(passes("box")); }
+TEST_P(Mutants, AWrongFoldFails) { EXPECT_FALSE(passes("box")); }
 
-TEST_P(Twins, WithoutADefectTheyPass) { EXPECT_TRUE(passes("bulb")); }
+TEST_P(Mutants, WithoutADefectTheyPass) { EXPECT_TRUE(passes("bulb")); }
 
 std::vector<std::string> names()
 {
@@ -40,7 +40,7 @@ std::vector<std::string> names()
     return {std::istream_iterator<std::string>(list), {}};
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Twins,
+INSTANTIATE_TEST_SUITE_P(All, Mutants,
                          testing::Combine(testing::ValuesIn(names()), testing::Values(Precision::f64, Precision::f32)),
                          [](const auto& test) {
                              return std::get<0>(test.param) + "_" + std::string(name_of(std::get<1>(test.param)));
