@@ -76,7 +76,7 @@ endfunction()
 # fractal.
 mandelmarch_sibling(clang 1 render)
 mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
-mandelmarch_sibling(tsan 2 same_bits_test race_twin)
+mandelmarch_sibling(tsan 2 same_bits_test data_race)
 mandelmarch_sibling(fractal 3 bench render flythrough imgdiff every_fractal_test equivalence_test)
 set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
 mandelmarch_script(same_bits.compilers siblings/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)

@@ -51,7 +51,7 @@ double calibrated_on_one_run(const PeakRun& run)
 TEST(Peak, OneDisturbedRunDoesNotMoveIt)
 {
     EXPECT_NEAR(worst_rate([](const PeakRun& run) { return highest_rate(run, lanes); }) / true_rate, 1, 0.001);
-    EXPECT_LT(worst_rate(calibrated_on_one_run) / true_rate, 0.8) << "the twin must show that a disturbance matters";
+    EXPECT_LT(worst_rate(calibrated_on_one_run) / true_rate, 0.8) << "negative control: a disturbance must matter";
 }
 
 TEST(Peak, AMachineThatIsBusyMostOfTheTimeIsMeasuredInItsQuietRuns)

@@ -54,13 +54,13 @@ def check(name, data):
     return kind
 
 
-def check_twins(kind, data):
+def check_negative_controls(kind, data):
     """Negative control: a file with a missing or an additional key, or a value of another type, must not follow the
     schema."""
     whole = data[0] if isinstance(data, list) else data
 
-    def refused(twin):
-        return not validator(kind).is_valid([twin, *data[1:]] if isinstance(data, list) else twin)
+    def refused(changed):
+        return not validator(kind).is_valid([changed, *data[1:]] if isinstance(data, list) else changed)
 
     for key in whole:
         without = {other: value for other, value in whole.items() if other != key}
@@ -106,7 +106,7 @@ with tempfile.TemporaryDirectory() as folder:
         data = json.loads(path.read_text())
         seen[check(path, data)] = data
 for kind, data in seen.items():
-    check_twins(kind, data)
+    check_negative_controls(kind, data)
 unseen = set(SCHEMAS) - set(seen) - {"environment"}  # an environment is only a part of other files
 assert not unseen, f"no file for the schemas of {unseen}"
 print("fine:", ", ".join(sorted(seen)))

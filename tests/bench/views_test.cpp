@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Official, Views, testing::Values("bulb", "box"),
                          [](const auto& test) { return std::string(test.param); });
 
 // Negative control: close to a pole of the Mandelbulb the estimate is several times too large, and hits are noise.
-TEST(ViewsTwin, APoleIsNoScene)
+TEST(ViewsControl, APoleIsNoScene)
 {
     Scene scene = official_scene("bulb", side, side);
     scene.eye = {0.1061, -0.1069, -0.8585};

@@ -91,9 +91,9 @@ def faults(ptx, fractals):
 def changed(ptx, kernel, old, new):
     """Returns the PTX with the first match of the pattern `old` in one kernel replaced by `new`."""
     body = next(body for name, body in k40.kernels(ptx) if name.startswith(kernel))
-    twin = re.sub(old, new, body, count=1)
-    assert twin != body, f"{kernel} holds no {old}"
-    return ptx.replace(body, twin)
+    mutant = re.sub(old, new, body, count=1)
+    assert mutant != body, f"{kernel} holds no {old}"
+    return ptx.replace(body, mutant)
 
 
 LOOPS = """
@@ -136,7 +136,7 @@ def check_expected():
 def check_text(ptx, fractals):
     found = faults(ptx, fractals)
     march = f"march_{fractals[0]}"
-    twins = {
+    mutants = {
         "fused": changed(ptx, f"{march}_double_exact", r"mul\.rn\.f64 (%r\d+),(%r\d+),(\S+);", r"fma.rn.f64 \1,\2,\3,\2;"),
         "double in a float": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.f64"),
         "a double's register": changed(ptx, f"{march}_float_exact", r"\.reg \.f32 (%r\d+);", r".reg .f64 \1;"),
@@ -153,9 +153,9 @@ def check_text(ptx, fractals):
         "any number of marching blocks": re.sub(r"(\.entry march_.*?)\.minnctapersm 5\n", r"\1", ptx, count=1, flags=re.S),
         "a kernel less": ptx.replace(f".entry {march}_float_fast", f".entry {march}_float_quick"),
     }
-    for name, twin in twins.items():
-        if not faults(twin, fractals):
-            found.append(f"the twin '{name}' was not seen")
+    for name, mutant in mutants.items():
+        if not faults(mutant, fractals):
+            found.append(f"the mutant '{name}' was not detected")
     return found
 
 

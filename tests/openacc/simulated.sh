@@ -54,13 +54,13 @@ test_bits() {
     other_picture fast.exr cpu.exr
 
     # Negative control: on a simulated GPU that rounds an addition differently, the picture is another one.
-    mkdir twin
+    mkdir mutant
     sed -E 's/^((r|fd)[0-9]+) = \(\(double\)((r|fd)[0-9]+)\) \+ \(\(double\)((r|fd)[0-9]+)\);/\1 = fma(\3, 1.0000000000000002, \5);/' \
-        "$gpu/kernels.h" >twin/kernels.h
-    cmp -s "$gpu/kernels.h" twin/kernels.h && fail "the twin is no twin"
-    driver twin || fail "building the twin"
-    LD_LIBRARY_PATH=$PWD/twin expect 0 $draw --backend $backend --output twin.exr
-    other_picture twin.exr cpu.exr
+        "$gpu/kernels.h" >mutant/kernels.h
+    cmp -s "$gpu/kernels.h" mutant/kernels.h && fail "the mutant has the same kernels"
+    driver mutant || fail "building the mutant"
+    LD_LIBRARY_PATH=$PWD/mutant expect 0 $draw --backend $backend --output mutant.exr
+    other_picture mutant.exr cpu.exr
 }
 
 # In the stats, `kernel` is the time by the GPU's clock. It is 3 s, because each of three kernels takes a simulated

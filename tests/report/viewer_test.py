@@ -144,15 +144,15 @@ def main() -> int:
                             ours = by_camera(table, row["name"], parameters(scene), fast)
                             wrong += [f"{where}: camera.js: {name}" for name in viewer.differing_fields(ours, printed, close)]
                     # Negative controls: if a constant, the step factor or the root share is changed, fields differ.
-                    twins = [
+                    controls = [
                         ("fractal", row | {"constants": [f"(1.01 * {row['constants'][0]})", *row["constants"][1:]]}),
                         ("root_share", row | {"root_share": 1.5 * row["root_share"]}),
                     ]
                     if fast:
-                        twins.append(("step_factor", row | {"step_factor": "0.6"}))
-                    for name, twin in twins:
-                        if name not in viewer.differing_fields(computed(table["scene"], twin, scene, "double", fast), printed, 1e-14):
-                            wrong.append(f"{row['name']} {shape}, {mode}: another {name} is not seen")
+                        controls.append(("step_factor", row | {"step_factor": "0.6"}))
+                    for name, control in controls:
+                        if name not in viewer.differing_fields(computed(table["scene"], control, scene, "double", fast), printed, 1e-14):
+                            wrong.append(f"{row['name']} {shape}, {mode}: another {name} is not detected")
     for line in wrong:
         print("WRONG", line)
     print(f"{compared} scenes compared, camera.js {'too' if node else 'not: node is not there'}; {len(wrong)} wrong")

@@ -132,10 +132,10 @@ TEST(Neighbours, AreDrawnLatticeByLattice)
             EXPECT_FALSE(drawn.drawn_once());
         }
         if (scene.width > 1) {
-            DrawnLattices twin(scene);
-            twin.draw(lattices[0]);
-            twin.draw(lattices[1]);
-            EXPECT_FALSE(drawn_are_multiples(twin, scene, 1));
+            DrawnLattices incomplete(scene);
+            incomplete.draw(lattices[0]);
+            incomplete.draw(lattices[1]);
+            EXPECT_FALSE(drawn_are_multiples(incomplete, scene, 1));
         }
     }
 }

@@ -107,7 +107,7 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
     const std::vector<NamedScene> scenes = random_scenes(40, 7007);
     for (const std::string fractal : {"bulb", "box"}) {
         Offness sums[2];
-        Offness twins[2];
+        Offness controls[2];
         for (const NamedScene& named : scenes) {
             const Scene& scene = named.scene;
             if (scene.fractal->short_name != fractal) continue;
@@ -117,7 +117,7 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
                     return render(*registry.find("openmp"), scene, {.precision = precision, .mode = mode});
                 };
                 add(sums[precision == Precision::f32], canonical, drawn(Mode::fast));
-                add(twins[precision == Precision::f32], canonical, drawn(Mode::exact));
+                add(controls[precision == Precision::f32], canonical, drawn(Mode::exact));
             }
         }
         for (const bool is_float : {false, true}) {
@@ -128,13 +128,14 @@ TEST(RandomScenes, FastIsCloseToTheCanonicalReference)
             EXPECT_LE(per_million(sum.all.visibly_differing, sum.all), 20'000U) << fractal << ", float " << is_float;
             EXPECT_LE(per_million(sum.all.hit_or_miss, sum.all), 200U) << fractal << ", float " << is_float;
             // Negative control: exact mode does not refine hits. Its pictures must exceed the limit.
-            const Offness& twin = twins[is_float];
-            EXPECT_GT(per_million(twin.all.visibly_differing, twin.all), 20'000U) << fractal << ", float " << is_float;
+            const Offness& control = controls[is_float];
+            EXPECT_GT(per_million(control.all.visibly_differing, control.all), 20'000U)
+                << fractal << ", float " << is_float;
         }
         // Double is precise enough for all scenes. Therefore, in double, at most one scene in forty may be far off.
         const int most = sums[0].scenes / 40;
         EXPECT_LE(sums[0].far_off, most) << fractal;
-        EXPECT_GT(twins[0].far_off, most) << fractal;
+        EXPECT_GT(controls[0].far_off, most) << fractal;
     }
 }
 

@@ -193,6 +193,6 @@ test_modules() {
         expect 0 "$modules/spirv_tool" check "$module"
     done
     for module in "$modules"/*_fast.spv; do
-        "$modules/spirv_tool" check "$module" >stdout && fail "the twin: $(cat stdout)"
+        "$modules/spirv_tool" check "$module" >stdout && fail "negative control: $(cat stdout)"
     done
 }
