@@ -37,7 +37,7 @@ const std::string& name_of(Command command)
 struct Given {
     std::optional<std::variant<int, Range>> frames;  // a number of frames, or a range of a path's frames
     std::optional<int> rate;
-    std::optional<std::pair<int, int>> size;
+    std::string size;
     std::optional<std::size_t> every;
 };
 
@@ -61,6 +61,22 @@ std::variant<int, Range> frames_option(const std::string& text)
         fmt::format("A-B, frames of the path to render, such as 100-160, or a whole number from 2 to {} "
                     "to plan",
                     most_frames));
+}
+
+// Sets the look to a colouring type, given by its number or name, or to a look file.
+void set_look(const std::string& text, Flythrough& options)
+{
+    if (parse_whole(text)) {
+        options.look = {.colouring = whole_option("look", text, 0, colouring_types - 1)};
+        return;
+    }
+    for (int type = 2; type < colouring_types; ++type) {
+        if (text != colouring_names.at(static_cast<std::size_t>(type))) continue;
+        options.look = {.colouring = type};
+        return;
+    }
+    options.look_file = text;
+    options.look = {.colouring = 2, .values = parse_look(text_of_file(text, "look file"), text)};
 }
 
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Given& given)
@@ -94,9 +110,9 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
                "count from the chapter's beginning");
     app.add_option("--fps", given.rate, "plan, film: frames per second, recorded in the path file (default 30)")
         ->check(whole(1, most_frames_per_second));
-    app.add_option_function<std::string>(
-        "--size", [&](const std::string& text) { given.size = size_option(text); },
-        "WxH in pixels, even; 720p, 1080p or 4k (default 1920x1080; equirectangular: 2160x1080; preview: 480x270)");
+    app.add_option("--size", given.size,
+                   "WxH in pixels, even; 720p, 1080p, 4k or 8k (default 1920x1080; equirectangular: 2160x1080; "
+                   "preview: 480x270)");
     add_projection_option(app, options.projection);
     app.add_flag("--stereo", options.stereo, "film, render, preview: side-by-side stereo, the left eye on the left");
     app.add_option("--samples", options.samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")
@@ -108,9 +124,10 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
         ->check(whole(0, 1'000'000));
     add_precision_options(app, options.renderer);
     add_threads_option(app, options.threads);
-    app.add_option("--look", options.look,
-                   "look, a colouring type from 0 to 4 (default: plan, film: 3; otherwise the path file's)")
-        ->check(whole(0, colouring_types - 1));
+    app.add_option_function<std::string>(
+        "--look", [&](const std::string& text) { set_look(text, options); },
+        "look: a colouring type from 0 to 4, limestone, coral, lagoon, or a look file (default: plan, film: coral; "
+        "otherwise the path file's)");
     app.add_option(
         "--output", options.output,
         "plan: path file (default PATH or path.json); film, render, preview: .mp4, .mkv, .webm or .gif (default "
@@ -151,9 +168,10 @@ void set_size(const Given& given, Flythrough& options)
     const int pictures = options.stereo ? 2 : 1;
     const bool panorama = options.projection == Projection::equirectangular;
     std::tie(options.width, options.height) =
-        given.size.value_or(panorama                              ? std::pair{pictures * 2160, 1080}
-                            : options.command == Command::preview ? preview_size
-                                                                  : std::pair{1920, 1080});
+        !given.size.empty() ? size_option(given.size, max_side, panoramas(options.projection, options.stereo))
+        : panorama          ? std::pair{pictures * 2160, 1080}
+        : options.command == Command::preview ? preview_size
+                                              : std::pair{1920, 1080};
     check_panorama(options.projection, options.width, options.height, pictures);
     if (options.stereo && options.width % 4 != 0) {
         throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
@@ -216,8 +234,8 @@ std::vector<NamedFile> Flythrough::written() const
 
 std::vector<NamedFile> Flythrough::read() const
 {
-    if (reads_path()) return {{"PATH", path}};
-    return {{"--params", parameters}, {"--places", places}};
+    if (reads_path()) return {{"PATH", path}, {"--look", look_file}};
+    return {{"--params", parameters}, {"--places", places}, {"--look", look_file}};
 }
 
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done)

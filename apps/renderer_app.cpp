@@ -89,7 +89,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     add_projection_option(app, options.projection);
     app.add_option("--eyes", options.eyes, "render side-by-side stereo with this eye distance, in scene units")
         ->check(real(0, 1e6));
-    app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p or 4k (default: from PARAMS)");
+    app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p, 4k or 8k (default: from PARAMS)");
     app.add_option("--region", options.region,
                    "render only this part: X,Y,WIDTH,HEIGHT in pixels from the bottom left");
     app.add_option("--samples", options.samples,
@@ -162,7 +162,8 @@ ParameterFile parameters_of(const Options& options)
 void apply_size(const Options& options, Scene& scene)
 {
     if (options.size.empty()) return;
-    std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole);
+    std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole,
+                                                      panoramas(options.projection, options.eyes > 0));
 }
 
 // Returns the format for a file name. `commented`: the name comes from a parameter file, from a line that ends with a

@@ -56,6 +56,12 @@ inline void add_precision_options(CLI::App& app, RendererOptions& options)
                "exact: same bits on every backend but reference; fast: fewer steps, FMA allowed");
 }
 
+// Returns the number of equirectangular pictures side by side; 0: the pictures are perspective.
+inline int panoramas(Projection projection, bool stereo)
+{
+    return projection == Projection::perspective ? 0 : stereo ? 2 : 1;
+}
+
 // Throws InputError if an equirectangular picture is not twice as wide as high. `pictures`: number of pictures side by
 // side, which is 2 for stereo.
 inline void check_panorama(Projection projection, int width, int height, int pictures = 1)

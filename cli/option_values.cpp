@@ -18,7 +18,7 @@ struct NamedSize {
     int width, height;  // pixels
 };
 constexpr std::array named_sizes{NamedSize{"720p", 1280, 720}, NamedSize{"1080p", 1920, 1080},
-                                 NamedSize{"4k", 3840, 2160}};
+                                 NamedSize{"4k", 3840, 2160}, NamedSize{"8k", 7680, 4320}};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& text, const std::string& expected)
 {
@@ -72,13 +72,15 @@ std::string input_name(const std::string& name) { return name == "-" ? "/dev/std
 
 std::string output_name(const std::string& name) { return name == "-" ? "/dev/stdout" : name; }
 
-std::pair<int, int> size_option(const std::string& text, int most_side)
+std::pair<int, int> size_option(const std::string& text, int most_side, int panoramas)
 {
     for (const NamedSize& known : named_sizes) {
-        if (text == known.name) return {known.width, known.height};
+        if (text != known.name) continue;
+        if (panoramas > 0) return {panoramas * known.width, known.width / 2};
+        return {known.width, known.height};
     }
     return pair_option("size", text, 'x', 1, most_side,
-                       fmt::format("WIDTHxHEIGHT with sides from 1 to {}, 720p, 1080p or 4k", most_side));
+                       fmt::format("WIDTHxHEIGHT with sides from 1 to {}, 720p, 1080p, 4k or 8k", most_side));
 }
 
 Region region_option(const std::string& text, int width, int height)

@@ -31,8 +31,10 @@ std::pair<int, int> pair_option(const std::string& name, const std::string& text
 std::string input_name(const std::string& name);
 std::string output_name(const std::string& name);
 
-// Parses a picture's size: WIDTHxHEIGHT in pixels, or a name such as 1080p. Neither side may exceed `most_side`.
-std::pair<int, int> size_option(const std::string& text, int most_side = max_side);
+// Parses a picture's size: WIDTHxHEIGHT in pixels, or a name such as 4k. Neither side may exceed `most_side`.
+// `panoramas`: the number of equirectangular pictures side by side, 0 for perspective pictures. With panoramas, a name
+// stands for this width of each and for half of it as the height.
+std::pair<int, int> size_option(const std::string& text, int most_side = max_side, int panoramas = 0);
 
 // Parses a region of a picture of `width` x `height` pixels: X,Y,WIDTH,HEIGHT or X,Y,WIDTHxHEIGHT. X,Y is the region's
 // bottom left pixel, counted from the picture's bottom left.

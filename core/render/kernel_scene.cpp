@@ -29,7 +29,8 @@ constexpr bool layout_is_portable()
 {
     constexpr std::size_t real = sizeof(Layout::tolerance);
     return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 15 * real &&
-           offsetof(Layout, eye) == 32 + 28 * real && sizeof(Layout) == 32 + 48 * real;
+           offsetof(Layout, look) == 32 + 28 * real && offsetof(Layout, eye) == 32 + 96 * real &&
+           sizeof(Layout) == 32 + 116 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
@@ -142,6 +143,10 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
+    if (scene.colouring > 1) {
+        const LookValues& look = look_of(scene);
+        for (std::size_t i = 0; i < std::size(k.look); ++i) k.look[i] = real(look.numbers.at(i));
+    }
     put_camera(scene, k);
     k.spacing = spacing_of(k);
     k.subtile_hull = subtile_hull_of(k, *scene.fractal);

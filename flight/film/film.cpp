@@ -29,7 +29,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t worth_a_forecast = 10;  // segments; the total time of fewer is not estimated
 constexpr std::size_t forecast_frames = 8;    // frames rendered for the estimate
-constexpr int least_side = 16;                // pixels: the minimum of libx264
+// Returns a number of bytes as text, such as "1.5 GiB".
+std::string size_text(double bytes)
+{
+    constexpr double mebi = 1 << 20;
+    return bytes < 1024 * mebi ? fmt::format("{:.0f} MiB", bytes / mebi)
+                               : fmt::format("{:.1f} GiB", bytes / mebi / 1024);
+}
+
+constexpr int least_side = 16;  // pixels: the minimum of libx264
 
 Title title_of(const FilmOptions& options) { return {options.title, options.authors}; }
 
@@ -185,8 +193,9 @@ private:
         make(part, Container::mp4, write, [&](const std::string& whole) { work_.finish(whole, file); });
     }
 
-    // Prints an estimate of the total time. To measure the time per frame, renders and encodes a few frames that are
-    // spread over the film.
+    // Prints an estimate of the total time, of the disk space and of the memory. To measure the time per frame, renders
+    // and encodes a few frames that are spread over the film. They are encoded without regard to frames before them, so
+    // a frame of the film has fewer bytes.
     void foretell(FrameMaker& maker, const std::vector<std::size_t>& todo) const
     {
         const TemporaryPath part(work_.folder() + "/" + work_.part_file(work_.segments()));
@@ -199,11 +208,18 @@ private:
         }
         encoder.finish();
         const double each = seconds_since(start) / forecast_frames;
+        const double bytes = static_cast<double>(fs::file_size(part.path())) / forecast_frames;
         std::size_t frames = 0;
         for (const std::size_t segment : todo) frames += work_.last(segment) - work_.first(segment);
         say("film: {} frames of {} x {} pixels, {:.2f} s each of {} tried: {} in all\n", frames, options_.picture.width,
             options_.picture.height, each, forecast_frames,
             clock_text(each * static_cast<double>(frames) / ranks_.size()));
+        // While the segments are joined, the disk holds the segments, the joined film and its copy at the output.
+        const double needed = 3 * bytes * static_cast<double>(work_.frames());
+        const double free = static_cast<double>(fs::space(work_.folder()).available);
+        say("film: {}needs up to {} of disk, {} are free in {}; {} of memory\n", needed > free ? "warning: " : "",
+            size_text(needed), size_text(free), work_.folder(),
+            size_text(static_cast<double>(memory_of(options_.picture))));
     }
 
     void segment(FrameMaker& maker, std::size_t number, FilmProgress* progress)

@@ -20,6 +20,9 @@ test_containers() {
     done
     [ "$(head -c 4 kind.mkv | od -An -tx1)" = " 1a 45 df a3" ] || fail "kind.mkv is no Matroska file"
     [ "$(head -c 4 kind.gif)" = GIF8 ] || fail "kind.gif is no GIF"
+    # A name of a size stands for the panorama of this width.
+    run 0 render path.json ${small/32x16/720p} --projection equirectangular --frames 0-0 --output wide.mp4
+    [ "$(probe wide.mp4 width,height)" = 1280,640 ] || fail "a panorama of 720p has $(probe wide.mp4 width,height)"
     for name in film film.avi film.mp5 mp4; do
         run 2 render path.json $small --output $name
         says 'expected .mp4, .mkv, .webm or .gif'
@@ -68,6 +71,30 @@ test_parts_of_a_path() {
     done
     says 'expected A-B'
     run 2 audit path.json --frames 1-2
+}
+
+# A look is given by its number, its name or a file. A film with another look is made again.
+test_looks() {
+    local look
+    for look in 3 coral "$source/looks/coral.look"; do
+        run 0 render path.json $small --look "$look" --stills stills --frames 10-10
+        [ -e coral.png ] || cp stills/frame-000010.png coral.png
+        same_file stills/frame-000010.png coral.png "the look $look"
+    done
+    cp "$source/looks/coral.look" my.look
+    run 0 render path.json $small --look my.look --output film.mkv
+    cp film.mkv coral.mkv
+    sed -i 's/^surface .*/surface 0 0 1/' my.look
+    run 0 render path.json $small --look my.look --output film.mkv
+    cmp -s film.mkv coral.mkv && fail "a film stays though its look file has changed"
+    run 2 render path.json $small --look nowhere.look
+    says 'nowhere.look: cannot be read, expected a look file'
+    run 2 render path.json $small --look 5
+    says 'look: 5'
+    echo 'haze 2' >my.look
+    run 2 render path.json $small --look my.look
+    says "my.look:1: haze has '2', expected a number from 0 to 1"
+    run 2 render path.json $small --look my.look --output my.look
 }
 
 # A preview has every eighth frame, or every N-th frame with --every N. With --stills, too.
