@@ -37,7 +37,7 @@ const std::string& name_of(Command command)
 struct Given {
     std::optional<std::variant<int, Range>> frames;  // a number of frames, or a range of a path's frames
     std::optional<int> rate;
-    std::string size;
+    std::optional<std::string> size;
     std::optional<std::size_t> every;
 };
 
@@ -126,8 +126,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
     add_threads_option(app, options.threads);
     app.add_option_function<std::string>(
         "--look", [&](const std::string& text) { set_look(text, options); },
-        "look: a colouring type from 0 to 4, limestone, coral, lagoon, or a look file (default: plan, film: coral; "
-        "otherwise the path file's)");
+        "look: number, name or file (default: plan, film: coral; otherwise the path file's)");
     app.add_option(
         "--output", options.output,
         "plan: path file (default PATH or path.json); film, render, preview: .mp4, .mkv, .webm or .gif (default "
@@ -168,8 +167,8 @@ void set_size(const Given& given, Flythrough& options)
     const int pictures = options.stereo ? 2 : 1;
     const bool panorama = options.projection == Projection::equirectangular;
     std::tie(options.width, options.height) =
-        !given.size.empty() ? size_option(given.size, max_side, panoramas(options.projection, options.stereo))
-        : panorama          ? std::pair{pictures * 2160, 1080}
+        given.size ? size_option(*given.size, max_side, panoramas(options.projection, options.stereo))
+        : panorama ? std::pair{pictures * 2160, 1080}
         : options.command == Command::preview ? preview_size
                                               : std::pair{1920, 1080};
     check_panorama(options.projection, options.width, options.height, pictures);

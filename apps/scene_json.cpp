@@ -74,7 +74,7 @@ Json of(const Fractal& fractal)
             {"root_share", fractal.fast.root_share}};
 }
 
-// Returns the kernel's numbers of the look of each colouring type. They are 0 for the types that are no looks.
+// Returns the kernel's numbers of the look of each colouring type. They are 0 for colouring types 0 and 1.
 Json built_in_looks()
 {
     Json looks = Json::array();

@@ -40,12 +40,11 @@ public:
         ++number_;
         const std::vector<std::string_view> words = words_of(line);
         if (words.empty()) return;
-        std::size_t first = 0;
-        for (std::size_t i = 0; i < look_entries.size(); first += look_entries.at(i++).count) {
+        for (std::size_t i = 0; i < look_entries.size(); ++i) {
             if (look_entries.at(i).name != words[0]) continue;
             if (given_[i]) fail(fmt::format("{} is given twice", words[0]));
             given_[i] = true;
-            return take(look_entries.at(i), words, first);
+            return take(look_entries.at(i), words);
         }
         fail(fmt::format("'{}' given, expected an entry of a look, such as exposure",
                          printable(words[0], longest_word)));
@@ -54,8 +53,9 @@ public:
     LookValues result() const
     {
         for (std::size_t i = 0; i < look_entries.size(); ++i) {
-            if (given_[i] || look_entries.at(i).low <= 0) continue;
-            throw InputError(fmt::format("{}: there is no {}, expected a look file", name_, look_entries.at(i).name));
+            if (given_[i] || look_entries.at(i).limits[0].low <= 0) continue;
+            throw InputError(
+                fmt::format("{}: the entry {} is missing, expected a look file", name_, look_entries.at(i).name));
         }
         return look_;
     }
@@ -66,18 +66,20 @@ private:
         throw InputError(fmt::format("{}:{}: {}", name_, number_, why));
     }
 
-    void take(const LookEntry& entry, const std::vector<std::string_view>& words, std::size_t first)
+    void take(const LookEntry& entry, const std::vector<std::string_view>& words)
     {
-        if (words.size() != entry.count + 1) {
-            fail(fmt::format("{} has {} numbers, expected {}", entry.name, words.size() - 1, entry.count));
+        const std::size_t count = entry.limits.size();
+        if (words.size() != count + 1) {
+            fail(fmt::format("{} has {} numbers, expected {}", entry.name, words.size() - 1, count));
         }
-        for (std::size_t i = 0; i < entry.count; ++i) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [low, high] = entry.limits[i];
             const std::optional<double> value = parse_real(words[i + 1]);
-            if (!value || *value < entry.low || *value > entry.high) {
+            if (!value || *value < low || *value > high) {
                 fail(fmt::format("{} has '{}', expected a number from {} to {}", entry.name,
-                                 printable(words[i + 1], longest_word), entry.low, entry.high));
+                                 printable(words[i + 1], longest_word), low, high));
             }
-            look_.numbers.at(first + i) = *value;
+            look_.numbers.at(place_in_look(entry.name) + i) = *value;
         }
     }
 

@@ -1,58 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
 // A look: the colours and the light of a colouring type from 2 on, as named numbers. core/kernel/looks.h computes with
-// them. The folder looks contains the built-in ones as files, and docs/looks.md explains the format.
+// them. The folder looks contains the built-in looks as files, and docs/looks.md explains the format.
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace mandelmarch {
 
-// An entry of a look file: a name and one or more numbers, each from `low` to `high`.
-struct LookEntry {
-    std::string_view name;
-    std::size_t count;
+struct Limits {
     double low, high;
 };
 
-inline constexpr double brightest = 100;
+// Limits of the numbers of entries. Colours and lights are linear red, green and blue.
+namespace look_limits {
+inline constexpr Limits share{0, 1}, light{0, 100}, weight{-100, 100};
+inline constexpr std::array colour{share, share, share};
+inline constexpr std::array lights{light, light, light};
+inline constexpr std::array layer{share, share, share, weight, weight, weight, weight, share};
+inline constexpr std::array factor{light}, two_factors{light, light}, one_share{share};
+inline constexpr std::array exposure{Limits{0.01, 100}};
+inline constexpr std::array height{Limits{0, 90}};
+}  // namespace look_limits
 
-// The entries, in the order of their numbers. Colours and light are linear red, green and blue.
-inline constexpr std::array look_entries{
-    LookEntry{"surface", 3, 0, 1},
-    // A layer's colour, three weights of the orbit trap, an offset and an amount: see layered() in core/kernel/looks.h.
-    LookEntry{"layer_1", 8, -brightest, brightest}, LookEntry{"layer_2", 8, -brightest, brightest},
-    LookEntry{"layer_3", 8, -brightest, brightest}, LookEntry{"layer_4", 8, -brightest, brightest},
-    LookEntry{"sun", 3, 0, brightest}, LookEntry{"sky_light", 3, 0, brightest},
-    LookEntry{"ground_light", 3, 0, brightest}, LookEntry{"camera_light", 3, 0, brightest},
-    LookEntry{"lamp", 3, 0, brightest}, LookEntry{"fill_light", 3, 0, brightest}, LookEntry{"zenith", 3, 0, brightest},
-    LookEntry{"horizon", 3, 0, brightest}, LookEntry{"glow", 3, 0, brightest},
-    LookEntry{"halo", 2, 0, brightest},  // of the sun: wide, narrow; multiples of the glow
-    LookEntry{"horizon_glow", 1, 0, brightest}, LookEntry{"clouds", 1, 0, 1},  // cover
-    LookEntry{"haze", 1, 0, 1},           // share of the haze in the colour of the farthest surfaces
-    LookEntry{"exposure", 1, 0.01, 100},  // factor of all light
-    LookEntry{"sun_height", 1, 0, 90},    // degrees above the horizon
-    LookEntry{"sun_follows", 1, 0, 1},    // 1: the sun of a film turns with the way
+// An entry of a look file: a name and one or more numbers.
+struct LookEntry {
+    std::string_view name;
+    std::span<const Limits> limits;  // of each number
 };
 
-constexpr std::size_t count_of_look_numbers()
+// The entries, in the order of their numbers. The kernel receives all but the last two.
+inline constexpr std::array look_entries{
+    LookEntry{"surface", look_limits::colour},
+    // A layer's colour, three weights of the orbit trap, an offset and an amount: see layered() in core/kernel/looks.h.
+    LookEntry{"layer_1", look_limits::layer}, LookEntry{"layer_2", look_limits::layer},
+    LookEntry{"layer_3", look_limits::layer}, LookEntry{"layer_4", look_limits::layer},
+    LookEntry{"sun", look_limits::lights}, LookEntry{"sky_light", look_limits::lights},
+    LookEntry{"ground_light", look_limits::lights}, LookEntry{"camera_light", look_limits::lights},
+    LookEntry{"lamp", look_limits::lights}, LookEntry{"fill_light", look_limits::lights},
+    LookEntry{"zenith", look_limits::lights}, LookEntry{"horizon", look_limits::lights},
+    LookEntry{"glow", look_limits::lights},
+    LookEntry{"halo", look_limits::two_factors},  // of the sun: wide, narrow; multiples of the glow
+    LookEntry{"horizon_glow", look_limits::factor}, LookEntry{"clouds", look_limits::one_share},  // cover
+    LookEntry{"haze", look_limits::one_share},  // share of the haze in the colour of the farthest surfaces
+    LookEntry{"exposure", look_limits::exposure},
+    LookEntry{"sun_height", look_limits::height},      // degrees above the horizon
+    LookEntry{"sun_follows", look_limits::one_share},  // over 0: the sun of a film turns with the way
+};
+
+// Returns the place of an entry's first number. For a name that is no entry, returns the count of all numbers.
+constexpr std::size_t place_in_look(std::string_view name)
 {
-    std::size_t count = 0;
-    for (const LookEntry& entry : look_entries) count += entry.count;
-    return count;
+    std::size_t place = 0;
+    for (const LookEntry& entry : look_entries) {
+        if (entry.name == name) break;
+        place += entry.limits.size();
+    }
+    return place;
 }
+inline constexpr std::size_t kernel_look_numbers = place_in_look("sun_height");
 
 struct LookValues {
-    std::array<double, count_of_look_numbers()> numbers{};
+    std::array<double, place_in_look("")> numbers{};
 
-    double sun_height() const { return numbers[numbers.size() - 2]; }  // degrees
-    bool sun_follows() const { return numbers.back() > 0; }
+    double sun_height() const { return numbers[place_in_look("sun_height")]; }  // degrees
+    bool sun_follows() const { return numbers[place_in_look("sun_follows")] > 0; }
     bool operator==(const LookValues&) const = default;
 };
 
 // Parses a look file. Entries that are missing are 0; only the exposure is required. Throws InputError; the message
-// begins with `name` and the line's number.
+// begins with `name` and, if a line is wrong, the line's number.
 LookValues parse_look(std::string_view text, const std::string& name);
 
 // Returns the look of a colouring type from 2 on.

@@ -29,15 +29,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t worth_a_forecast = 10;  // segments; the total time of fewer is not estimated
 constexpr std::size_t forecast_frames = 8;    // frames rendered for the estimate
+constexpr int least_side = 16;                // pixels: the minimum of libx264
+
 // Returns a number of bytes as text, such as "1.5 GiB".
 std::string size_text(double bytes)
 {
     constexpr double mebi = 1 << 20;
-    return bytes < 1024 * mebi ? fmt::format("{:.0f} MiB", bytes / mebi)
+    return bytes < 1024 * mebi ? fmt::format("{:.1f} MiB", bytes / mebi)
                                : fmt::format("{:.1f} GiB", bytes / mebi / 1024);
 }
-
-constexpr int least_side = 16;  // pixels: the minimum of libx264
 
 Title title_of(const FilmOptions& options) { return {options.title, options.authors}; }
 
@@ -214,8 +214,11 @@ private:
         say("film: {} frames of {} x {} pixels, {:.2f} s each of {} tried: {} in all\n", frames, options_.picture.width,
             options_.picture.height, each, forecast_frames,
             clock_text(each * static_cast<double>(frames) / ranks_.size()));
-        // While the segments are joined, the disk holds the segments, the joined film and its copy at the output.
-        const double needed = 3 * bytes * static_cast<double>(work_.frames());
+        // While the segments are joined, the disk holds the segments, the joined film and, unless the output is a
+        // stream, its copy. A GIF is encoded anew, so its size is not known.
+        if (coding_.container == Container::gif) return;
+        const int films = options_.segments ? 0 : OutputFile::is_stream(options_.output) ? 1 : 2;
+        const double needed = bytes * static_cast<double>(frames + films * work_.frames());
         const double free = static_cast<double>(fs::space(work_.folder()).available);
         say("film: {}needs up to {} of disk, {} are free in {}; {} of memory\n", needed > free ? "warning: " : "",
             size_text(needed), size_text(free), work_.folder(),

@@ -75,9 +75,10 @@ constexpr double beside_it = 110;  // degrees from the mean gaze to the sun, to 
 // little behind it. Frames count less the farther away they are, so that the sun moves smoothly.
 Vector following_sun(const Path& path, double height, std::size_t frame)
 {
+    const auto second = static_cast<std::size_t>(path.frames_per_second);
     const double reach = window * path.frames_per_second;
     Vector mean{0, 0, 0};
-    for (std::size_t i = 0; i < path.frames.size(); i += frames_apart) {
+    for (std::size_t i = 0; i < path.frames.size(); i += second) {
         const double weight = 1 - std::abs(static_cast<double>(i) - static_cast<double>(frame)) / reach;
         if (weight > 0) mean = mean + weight * unit(path.frames[i].target - path.frames[i].eye);
     }

@@ -211,22 +211,23 @@ END
     same_file half.mp4 whole.mp4
 }
 
-# The disk is full, which a limit on file sizes simulates.
 # Before a long film, time, disk space and memory are printed. The film and its segments need no more disk than that.
 test_forecast() {
     make_path long.json 30 0.002 600
-    run 0 render long.json ${small/32x16/64x36} --output long.mp4
-    says 'film: 600 frames of 64 x 36 pixels, .* s each of 8 tried: .* in all'
-    says 'film: needs up to [0-9]* MiB of disk, [0-9.]* .iB are free in .*; 300 MiB of memory'
+    run 0 render long.json ${small/32x16/128x72} --output long.mp4
+    says 'film: 600 frames of 128 x 72 pixels, .* s each of 8 tried: .* in all'
+    says 'film: needs up to [0-9.]* MiB of disk, [0-9.]* .iB are free in .*; 300.0 MiB of memory'
     local most
-    most=$(sed -n 's/.*needs up to \([0-9]*\) MiB.*/\1/p' stderr)
-    [ $((3 * $(stat -c %s long.mp4))) -le $((most * 1048576 + 524288)) ] || fail "$most MiB, but the film has $(stat -c %s long.mp4) bytes"
+    most=$(sed -n 's/.*needs up to \([0-9]*\)\.\([0-9]\) MiB.*/\1\2/p' stderr)
+    [ $((3 * $(stat -c %s long.mp4))) -le $((most * 104858)) ] || fail "$most tenths of a MiB, but the film has $(stat -c %s long.mp4) bytes"
+    [ $((30 * $(stat -c %s long.mp4))) -gt $((most * 104858)) ] || fail "$most tenths of a MiB are ten times too much"
     # A short film has no forecast.
     run 0 render path.json $small --output short.mp4
     grep -q MiB stderr && fail "a forecast for two segments"
     return 0
 }
 
+# The disk is full, which a limit on file sizes simulates.
 test_full_disk() {
     (ulimit -f 12; exec "$program" render path.json ${small/32x16/320x180} --output full.mp4 2>stderr)
     [ $? = 1 ] || fail "a full disk gives another exit code than 1"

@@ -94,7 +94,10 @@ test_looks() {
     echo 'haze 2' >my.look
     run 2 render path.json $small --look my.look
     says "my.look:1: haze has '2', expected a number from 0 to 1"
-    run 2 render path.json $small --look my.look --output my.look
+    cp "$source/looks/coral.look" look.mp4
+    run 2 render path.json $small --look look.mp4 --output look.mp4
+    says 'look'
+    same_file look.mp4 "$source/looks/coral.look"
 }
 
 # A preview has every eighth frame, or every N-th frame with --every N. With --stills, too.

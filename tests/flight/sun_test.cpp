@@ -63,6 +63,7 @@ TEST(Sun, MovesSmoothlyAndStaysBesideTheGaze)
         EXPECT_LT(degrees_between(sun, before), 0.2) << frame;
         const Vector gaze = path.frames[frame].target - path.frames[frame].eye;
         EXPECT_NEAR(degrees_between(unit(Vector{sun.x, 0, sun.z}), gaze), 110, 20) << frame;
+        EXPECT_GT(dot(sun, cross(gaze, {0, 1, 0})), 0.5) << frame;  // on the right
         before = sun;
     }
 }

@@ -63,13 +63,15 @@ TEST(Look, FileGivesItsNumbers)
 
 TEST(Look, WrongLinesAreNamed)
 {
-    EXPECT_EQ(error_of(""), "a.look: there is no exposure, expected a look file");
+    EXPECT_EQ(error_of(""), "a.look: the entry exposure is missing, expected a look file");
     EXPECT_EQ(error_of("exposure 1\ngloss 2\n"),
               "a.look:2: 'gloss' given, expected an entry of a look, such as exposure");
     EXPECT_EQ(error_of("exposure 1\nexposure 1\n"), "a.look:2: exposure is given twice");
     EXPECT_EQ(error_of("exposure\n"), "a.look:1: exposure has 0 numbers, expected 1");
     EXPECT_EQ(error_of("surface 1 2\n"), "a.look:1: surface has 2 numbers, expected 3");
     EXPECT_EQ(error_of("surface 0 0 2\n"), "a.look:1: surface has '2', expected a number from 0 to 1");
+    EXPECT_EQ(error_of("layer_1 0 0 -1 0 0 0 0 1\n"), "a.look:1: layer_1 has '-1', expected a number from 0 to 1");
+    EXPECT_EQ(error_of("exposure 1\nlayer_1 0 0 1 -9 0 0 -2 1\n"), "");
     EXPECT_EQ(error_of("haze nan\n"), "a.look:1: haze has 'nan', expected a number from 0 to 1");
     EXPECT_EQ(error_of("exposure 1\n"), "");
 }
