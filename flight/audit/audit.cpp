@@ -180,7 +180,20 @@ private:
         add(motion_row(path_, seen));
         for (Row& row : dull_rows(seen, clearances_, stride_)) add(std::move(row));
         for (Row& row : subject_rows(seen, stride_)) add(std::move(row));
-        add(again_row(seen));
+        again(repeated_views(seen));
+    }
+
+    void again(const std::vector<Repeated>& views)
+    {
+        for (const Repeated& view : views) audit_.repeated.push_back(view.later);
+        add({std::string(again_item),
+             static_cast<double>(views.size()),
+             0,
+             true,
+             false,
+             "",
+             {},
+             views.empty() ? "" : fmt::format("frames {} and {}", views[0].frame, views[0].later)});
     }
 
     const Path& path_;

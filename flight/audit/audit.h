@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "flight/path/path.h"
@@ -28,8 +29,12 @@ struct Row {
     std::string worst() const;
 };
 
+// The name of the item that counts repeated views.
+inline constexpr std::string_view again_item = "the same view again within a minute";
+
 struct Audit {
     std::vector<Row> rows;
+    std::vector<std::size_t> repeated;  // frames whose view repeats an earlier one; each counts in again_item
 
     bool promises_kept() const;
     int bars_missed() const;

@@ -242,7 +242,7 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
                         [&](std::size_t v) { return seen.views[v].middle_hit_share() < shown; })};
 }
 
-Row again_row(const Seen& seen)
+std::vector<Repeated> repeated_views(const Seen& seen)
 {
     std::vector<std::size_t> some;  // indices of the compared views
     std::vector<LogDepths> depths;
@@ -253,8 +253,7 @@ Row again_row(const Seen& seen)
         depths.emplace_back(seen.views[v]);
     }
     const auto frame = [&](std::size_t i) { return seen.frames[some[i]]; };
-    std::size_t again = 0;
-    std::string first;
+    std::vector<Repeated> repeated;
     for (std::size_t i = 0; i < some.size(); ++i) {
         bool other = false;  // a view that differs from view i lies between i and j
         for (std::size_t j = i + 1;
@@ -262,11 +261,11 @@ Row again_row(const Seen& seen)
             const double like = likeness(depths[i], depths[j]);
             other = other || like < moved_on;
             if (!other || like <= same_view) continue;
-            if (again++ == 0) first = fmt::format("frames {} and {}", frame(i), frame(j));
+            repeated.push_back({frame(i), frame(j)});
             break;
         }
     }
-    return {"the same view again within a minute", static_cast<double>(again), 0, true, false, "", {}, first};
+    return repeated;
 }
 
 }  // namespace mandelmarch

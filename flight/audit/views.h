@@ -81,7 +81,13 @@ std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances,
 // at the picture's edge.
 std::vector<Row> subject_rows(const Seen& seen, std::size_t stride);
 
-// Returns the number of views that are seen again within a minute, with a different view in between.
-Row again_row(const Seen& seen);
+// A view and a later one that are the same, although a view between them is different.
+struct Repeated {
+    std::size_t frame;
+    std::size_t later;
+};
+
+// Returns the views that are seen again within a minute, each with the first of its repetitions.
+std::vector<Repeated> repeated_views(const Seen& seen);
 
 }  // namespace mandelmarch

@@ -31,6 +31,9 @@ constexpr double too_far_off = 20;               // additional cost of twice tha
 constexpr double off_stop = 200;                 // cost of the angle most_aside between gaze and a stop's direction
 constexpr double around_stop = 45;  // frames before and after a stop in which the gaze has the direction of the stop
 constexpr double turning = 0.6;     // cost of a turn by farthest_turn
+constexpr double avoiding = 3;      // cost of an avoided direction
+constexpr double avoided_angle = 25 * degree;  // angle to an avoided direction from which on there is no cost
+constexpr std::size_t avoided_time = 45;       // frames before and after it in which a direction is avoided
 
 // Thresholds for the contents of a view, tuned with ten seeds for each of two fractals.
 constexpr double enough_hits = 0.75, few_hits = 0.3;     // fractions of the view that hit something
@@ -241,7 +244,7 @@ double Director::motion(double sample, const Frame& from, const Frame& to) const
 }
 
 std::vector<double> Director::slot_costs(const Trajectory& ride, std::span<const std::size_t> frames,
-                                         std::span<const Stop> stops) const
+                                         std::span<const Stop> stops, std::span<const Avoided> avoided) const
 {
     std::vector<double> all(frames.size() * directions);
     parallel(frames.size(), 16, threads_, [&](std::size_t first, std::size_t last) {
@@ -259,19 +262,28 @@ std::vector<double> Director::slot_costs(const Trajectory& ride, std::span<const
                                           off_motion * square(angle_of_units(direction, soon) / most_aside) +
                                           too_far_off * std::max(0.0, off / most_aside - 1);
             }
+            for (const Avoided& view : avoided) {
+                const std::size_t apart = std::max(view.frame, frames[slot]) - std::min(view.frame, frames[slot]);
+                if (apart > avoided_time) continue;
+                for (std::size_t n = 0; n < directions; ++n) {
+                    const double angle = angle_of_units(sphere().directions()[n], view.direction);
+                    all[slot * directions + n] += avoiding * lack(angle, avoided_angle, 0);
+                }
+            }
         }
     });
     return all;
 }
 
-std::vector<Vector> Director::gaze(const Trajectory& ride, int frames, std::span<const Stop> stops) const
+std::vector<Vector> Director::gaze(const Trajectory& ride, int frames, std::span<const Stop> stops,
+                                   std::span<const Avoided> avoided) const
 {
     // Slots are the frames for which the gaze is chosen: every tenth frame, and the last frame.
     const std::size_t slots = (static_cast<std::size_t>(frames) + slot_frames - 2) / slot_frames + 1;
     std::vector<std::size_t> slot_at(slots);  // the frame of each slot
     for (std::size_t slot = 0; slot < slots; ++slot)
         slot_at[slot] = std::min(slot * slot_frames, static_cast<std::size_t>(frames) - 1);
-    const std::vector<double> costs = slot_costs(ride, slot_at, stops);
+    const std::vector<double> costs = slot_costs(ride, slot_at, stops, avoided);
     std::vector<double> best(costs.begin(), costs.begin() + directions);
     std::vector<std::vector<int>> before(slots, std::vector<int>(directions, -1));
     for (std::size_t slot = 1; slot < slots; ++slot) {

@@ -34,6 +34,12 @@ private:
 std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::span<const Vector> places,
                              std::span<const double> values, double end);
 
+// A direction in which the gaze should not be near a frame.
+struct Avoided {
+    std::size_t frame;
+    Vector direction;  // unit vector
+};
+
 // Panoramas at points along a curve. Each direction has a cost, which is high if little is visible to a camera that
 // looks in this direction.
 class Director {
@@ -45,7 +51,8 @@ public:
     // dynamic programming (Bellman) so that the sum of three costs is minimal: the cost of the direction, of its angle
     // to the motion, and of the turn. In between, the gaze is interpolated. The result is not smooth; see
     // smoothed_gaze(). Near a stop, the gaze follows the stop's direction alone.
-    std::vector<Vector> gaze(const Trajectory& ride, int frames, std::span<const Stop> stops = {}) const;
+    std::vector<Vector> gaze(const Trajectory& ride, int frames, std::span<const Stop> stops = {},
+                             std::span<const Avoided> avoided = {}) const;
 
     // Returns the median motion of the picture's pixels from one frame to the next, in picture heights. It is computed
     // by median_motion() from the panorama closest to the camera. `sample`: the camera's position, as a fractional
@@ -59,7 +66,7 @@ private:
     // Returns, for each of the given frames of a trajectory, the cost of each direction and of its angle to the motion
     // or, near a stop, to the stop's view.
     std::vector<double> slot_costs(const Trajectory& ride, std::span<const std::size_t> frames,
-                                   std::span<const Stop> stops) const;
+                                   std::span<const Stop> stops, std::span<const Avoided> avoided) const;
 
     int threads_;
     std::vector<double> samples_;  // for each panorama: its index in the curve

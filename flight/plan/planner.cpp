@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
@@ -29,7 +31,11 @@ constexpr double wanted_turn = 0.95;    // degrees per frame; the camera slows d
 constexpr double turn_limit = 1.17;     // degrees per frame; turns are limited to this, because the promise is 1.2
 constexpr double slowest = 0.08;        // smallest speed factor
 constexpr double usual_motion = 0.014;  // picture heights per frame; wanted median motion of the pixels
-constexpr int retimings = 7;            // number of times that speed and gaze are adapted to each other
+// If more than most_outside of a flight's frames are outside the bounds, up to most_skipped of them are left out at its
+// beginning. Both are fractions of the number of frames.
+constexpr double most_outside = 0.09;
+constexpr double most_skipped = 0.03;
+constexpr int retimings = 7;  // number of times that speed and gaze are adapted to each other
 // For shapes that change in flight:
 constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fraction of the pace
 constexpr double usual_slow = 0.7;   // wanted mean of a tour's speed factors
@@ -91,23 +97,57 @@ public:
         const Tour tour = make_tour(atlas_.stretches(frames_), length, random,
                                     schedule_.changes() ? fine : std::function<bool(const Polyline&)>{}, visits_);
         if (schedule_.changes() && tour.clock < length.clock) return {};
-        Curve track =
-            track_of(shapes_, schedule_, smooth(shapes_, tour.way, schedule_, atlas_.step(), least_clearance * size_));
-        return fly(track);
+        flown_.emplace(shapes_, track_of(shapes_, schedule_,
+                                         smooth(shapes_, tour.way, schedule_, atlas_.step(), least_clearance * size_)));
+        avoided_.clear();
+        const std::vector<Vector> views = fly(*flown_);
+        return views.empty() ? Path{} : path_of(*flown_, views);
+    }
+
+    // Returns the path of the last attempt with another gaze: the camera looks elsewhere in the given frames of the
+    // path. Returns an empty path if the camera then misses a place.
+    Path look_elsewhere(const Path& path, std::span<const std::size_t> frames)
+    {
+        for (const std::size_t frame : frames) {
+            avoided_.push_back({frame, unit(path.frames[frame].target - path.frames[frame].eye)});
+        }
+        return path_of(*flown_, gaze(*flown_, static_cast<int>(path.frames.size())));
     }
 
 private:
-    // Returns the path of a flight along a curve, or an empty path in the same cases as attempt(). Changes the curve's
-    // speed factors.
-    Path fly(Curve& track)
+    // A flight along a curve.
+    struct Flown {
+        Flown(const Shapes& shapes, Curve curve) : track(std::move(curve)), director(shapes, track) {}
+
+        Curve track;
+        Director director;
+        std::vector<Stop> stops = {};
+        Trajectory ride = {};
+    };
+
+    // Returns the smoothed gaze in the first `frames` frames of a flight.
+    std::vector<Vector> gaze(const Flown& flown, int frames) const
+    {
+        std::vector<Vector> views =
+            smoothed_gaze(flown.ride, flown.director.gaze(flown.ride, frames, flown.stops, avoided_),
+                          visits_.empty() || !visits_.front().starts);
+        hold_gaze(views, flown.stops);
+        return views;
+    }
+
+    // Adapts the speed and the gaze of a flight to each other. Returns the gaze, or nothing in the same cases as
+    // attempt().
+    std::vector<Vector> fly(Flown& flown)
     {
         const int needed = frames_ + look_ahead;
-        const Director director(shapes_, track);
+        Curve& track = flown.track;
         const Bounds& bounds = shapes_.field().bounds();
-        std::vector<Stop> stops = stops_of(bounds, track, places_, visits_);
+        flown.stops = stops_of(bounds, track, places_, visits_);
+        std::vector<Stop>& stops = flown.stops;
         std::vector<Vector> views;
-        Trajectory now;
+        Trajectory& now = flown.ride;
         double off = 0;
+        int skip = 0;  // frames of the approach that are left out
         for (int round = 0; round < retimings; ++round) {
             if (schedule_.changes()) {
                 Timed timed = ride_in_time(bounds, track, measures_.pace, frames_, schedule_);
@@ -116,31 +156,49 @@ private:
             } else if (!stops.empty()) {
                 now = ride_to_stops(bounds, track, measures_.pace, frames_, stops).ride;
             } else {
-                now = ride(bounds, track, measures_.pace, needed);
+                now = ride(bounds, track, measures_.pace, needed + skip);
+                skip = std::clamp(static_cast<int>(now.at.size()) - needed, 0, skip);
+                now.at.erase(now.at.begin(), now.at.begin() + skip);
+                now.sample.erase(now.sample.begin(), now.sample.begin() + skip);
             }
             // If the trajectory has too few frames in the first rounds, it may have enough in later ones, which slow
             // the camera down in bends.
             const int wanted = frames_until(stops);
-            const int flown = std::min(wanted, static_cast<int>(now.at.size()));
-            if (flown < wanted / 4 || (flown < wanted && round > 2)) return {};
-            views = smoothed_gaze(now, director.gaze(now, flown, stops), visits_.empty() || !visits_.front().starts);
-            hold_gaze(views, stops);
+            const int frames = std::min(wanted, static_cast<int>(now.at.size()));
+            if (frames < wanted / 4 || (frames < wanted && round > 2)) return {};
+            views = gaze(flown, frames);
             if (round + 1 == retimings) break;
-            keep_moving(track, now, views, director);
+            skip = std::clamp(skip + outside(now, frames) - static_cast<int>(most_outside * frames), 0,
+                              static_cast<int>(most_skipped * frames));
+            keep_moving(track, now, views, flown.director);
             slow_turns(track, now, views);
         }
         if (schedule_.changes() || !stops.empty()) learn(track, now);
         if (off > most_off) return {};
+        return views;
+    }
+
+    // Returns the path of a flight with this gaze, or an empty path if the camera misses a place.
+    Path path_of(const Flown& flown, std::vector<Vector> views)
+    {
         limit_turns(views, turn_limit);
-        if (missed_ = missed_stop(places_, stops, views); !missed_.empty()) return {};
+        if (missed_ = missed_stop(places_, flown.stops, views); !missed_.empty()) return {};
         Path path;
         path.scene = shapes_.field().scene();
         path.seed = seed_;
-        path.frames = cameras(now, views, first_up(views[0]), field_of_view);
+        path.frames = cameras(flown.ride, views, first_up(views[0]), field_of_view);
         hold_level(path.frames, *path.scene.fractal);
-        if (schedule_.changes()) change(path, track, now);
+        if (schedule_.changes()) change(path, flown.track, flown.ride);
         cut_digits(path);
         return path;
+    }
+
+    // Returns the number of frames outside the bounds.
+    int outside(const Trajectory& ride, int frames) const
+    {
+        const Bounds& bounds = shapes_.field().bounds();
+        return static_cast<int>(std::count_if(ride.at.begin(), ride.at.begin() + frames,
+                                              [&](Vector place) { return !bounds.contains(place); }));
     }
 
     // Returns the number of frames of a flight with these stops.
@@ -213,7 +271,9 @@ private:
     RoadmapSet atlas_;
     std::vector<Visit> visits_;
     std::string missed_;
-    double share_ = first_share;  // expected mean speed of the next tour, as a fraction of the pace
+    std::optional<Flown> flown_;    // the last attempt's flight
+    std::vector<Avoided> avoided_;  // its views that are not to be repeated
+    double share_ = first_share;    // expected mean speed of the next tour, as a fraction of the pace
 };
 
 constexpr double broken_promise = 1000;  // the penalty of a broken promise, as a multiple of another item's
@@ -228,6 +288,13 @@ double faults(const Audit& audit)
         sum += (row.promise ? broken_promise : 1) * (1 + std::min(by, 5.0));
     }
     return sum;
+}
+
+// Returns true if the audit misses this item and no other.
+bool misses_only(const Audit& audit, std::string_view item)
+{
+    return audit.bars_missed() == 1 &&
+           std::ranges::all_of(audit.rows, [item](const Row& row) { return row.kept() || row.name == item; });
 }
 
 // Returns the items of the audit that miss their thresholds, with their values. `promises`: only promises count.
@@ -291,7 +358,9 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     planner.find_places();
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 12;
-    constexpr int most_missed = 6;  // tours that miss a place, if no tour has visited all places
+    constexpr int most_gazes = 5;              // of a tour
+    constexpr std::size_t most_repeated = 16;  // views; a tour with more is given up
+    constexpr int most_missed = 6;             // tours that miss a place, if no tour has visited all places
     Best best;
     std::string missed;  // message of the tour before
     int attempts = 0;
@@ -309,10 +378,16 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
             missed = planner.missed();
             continue;
         }
-        const Audit result = audit(path, threads, 0, audit_stride);
-        const double here = faults(result);
-        say(fmt::format("tour {}: misses {}\n{}", number, missed_items(result, false), table_of(path, result)));
-        if (here < best.faults) best = {std::move(path), here, missed_items(result, true)};
+        for (int gaze = 0; gaze < most_gazes && !path.frames.empty(); ++gaze) {
+            const Audit result = audit(path, threads, 0, audit_stride);
+            const double here = faults(result);
+            say(fmt::format("tour {}{}: misses {}\n{}", number, gaze > 0 ? ", looking elsewhere" : "",
+                            missed_items(result, false), table_of(path, result)));
+            const bool mendable = misses_only(result, again_item) && result.repeated.size() <= most_repeated;
+            Path next = mendable && gaze + 1 < most_gazes ? planner.look_elsewhere(path, result.repeated) : Path{};
+            if (here < best.faults) best = {std::move(path), here, missed_items(result, true)};
+            path = std::move(next);
+        }
         if (best.faults == 0 || (number + 1 >= usual_attempts && best.faults < broken_promise)) break;
     }
     std::vector<Ball> gates = planner.atlas().gates();

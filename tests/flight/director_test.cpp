@@ -101,6 +101,19 @@ TEST(Director, TurnsSlowlyAndStaysNearTheMotion)
     }
 }
 
+// The gaze leaves an avoided direction near its frame, and stays the same long before and after it.
+TEST(Director, AvoidsADirectionNearItsFrame)
+{
+    const Passing way;
+    const Director director(way.shapes, way.track);
+    const auto usual = director.gaze(way.flown, frames);
+    const std::vector<Avoided> avoided{{150, usual[150]}};
+    const auto other = director.gaze(way.flown, frames, {}, avoided);
+    EXPECT_GT(degrees_between(usual[150], other[150]), 10);
+    EXPECT_LT(degrees_between(usual[20], other[20]), 1e-6);
+    EXPECT_LT(degrees_between(usual[290], other[290]), 1e-6);
+}
+
 TEST(Director, KnowsHowFarThePictureMoves)
 {
     const Passing way;
