@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -262,13 +263,16 @@ std::vector<double> Director::slot_costs(const Trajectory& ride, std::span<const
                                           off_motion * square(angle_of_units(direction, soon) / most_aside) +
                                           too_far_off * std::max(0.0, off / most_aside - 1);
             }
-            for (const Avoided& view : avoided) {
-                const std::size_t apart = std::max(view.frame, frames[slot]) - std::min(view.frame, frames[slot]);
-                if (apart > avoided_time) continue;
-                for (std::size_t n = 0; n < directions; ++n) {
-                    const double angle = angle_of_units(sphere().directions()[n], view.direction);
-                    all[slot * directions + n] += avoiding * lack(angle, avoided_angle, 0);
+            std::vector<Avoided> near;
+            std::ranges::copy_if(avoided, std::back_inserter(near), [&](const Avoided& view) {
+                return view.frame <= frames[slot] + avoided_time && frames[slot] <= view.frame + avoided_time;
+            });
+            for (std::size_t n = 0; n < directions && !near.empty(); ++n) {
+                double closest = avoided_angle;
+                for (const Avoided& view : near) {
+                    closest = std::min(closest, angle_of_units(sphere().directions()[n], view.direction));
                 }
+                all[slot * directions + n] += avoiding * lack(closest, avoided_angle, 0);
             }
         }
     });

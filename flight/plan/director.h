@@ -48,8 +48,8 @@ public:
 
     // Returns the gaze for the first `frames` frames (at least two) of a trajectory along the curve, as unit vectors.
     // The trajectory should have look_ahead frames more than `frames`. The gaze at every tenth frame is chosen by
-    // dynamic programming (Bellman) so that the sum of three costs is minimal: the cost of the direction, of its angle
-    // to the motion, and of the turn. In between, the gaze is interpolated. The result is not smooth; see
+    // dynamic programming (Bellman) so that the sum of four costs is minimal: the cost of the direction, of its angle to
+    // the motion, of its closeness to an avoided direction, and of the turn. In between, the gaze is interpolated. The result is not smooth; see
     // smoothed_gaze(). Near a stop, the gaze follows the stop's direction alone.
     std::vector<Vector> gaze(const Trajectory& ride, int frames, std::span<const Stop> stops = {},
                              std::span<const Avoided> avoided = {}) const;
@@ -63,8 +63,8 @@ private:
     // Writes the cost of each direction of a panorama to `costs`.
     static void rate(std::span<const float> depths, double clearance, std::span<float> costs);
     std::size_t panorama_at(double sample) const;
-    // Returns, for each of the given frames of a trajectory, the cost of each direction and of its angle to the motion
-    // or, near a stop, to the stop's view.
+    // Returns, for each of the given frames of a trajectory, the cost of each direction, of its angle to the motion
+    // or, near a stop, to the stop's view, and of its closeness to an avoided direction.
     std::vector<double> slot_costs(const Trajectory& ride, std::span<const std::size_t> frames,
                                    std::span<const Stop> stops, std::span<const Avoided> avoided) const;
 

@@ -15,8 +15,10 @@
 #include "flight/audit/motion.h"
 #include "flight/path/measures.h"
 #include "flight/plan/elastic_band.h"
+#include "flight/plan/choice.h"
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
+#include "flight/plan/pacing.h"
 #include "flight/plan/trajectory.h"
 #include "flight/plan/roadmap.h"
 #include "flight/plan/stops.h"
@@ -27,14 +29,7 @@ namespace {
 
 constexpr double least_clearance = 0.0034;  // fractal sizes; the elastic band's smallest clearance
 constexpr double field_of_view = 1.0;
-constexpr double wanted_turn = 0.95;    // degrees per frame; the camera slows down if the gaze turns faster
 constexpr double turn_limit = 1.17;     // degrees per frame; turns are limited to this, because the promise is 1.2
-constexpr double slowest = 0.08;        // smallest speed factor
-constexpr double usual_motion = 0.014;  // picture heights per frame; wanted median motion of the pixels
-// If more than most_outside of a flight's frames are outside the bounds, up to most_skipped of them are left out at its
-// beginning. Both are fractions of the number of frames.
-constexpr double most_outside = 0.09;
-constexpr double most_skipped = 0.03;
 constexpr int retimings = 7;  // number of times that speed and gaze are adapted to each other
 // For shapes that change in flight:
 constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fraction of the pace
@@ -47,7 +42,6 @@ constexpr double usual_seconds = 60;
 constexpr double seconds_a_frame = 0.02;
 
 constexpr int audit_stride = 5;  // frames between the views that audits of tours examine
-constexpr int view_stride = 10;  // frames between the views whose motion sets the speed
 
 class Planner {
 public:
@@ -156,10 +150,7 @@ private:
             } else if (!stops.empty()) {
                 now = ride_to_stops(bounds, track, measures_.pace, frames_, stops).ride;
             } else {
-                now = ride(bounds, track, measures_.pace, needed + skip);
-                skip = std::clamp(static_cast<int>(now.at.size()) - needed, 0, skip);
-                now.at.erase(now.at.begin(), now.at.begin() + skip);
-                now.sample.erase(now.sample.begin(), now.sample.begin() + skip);
+                now = ride_without(bounds, track, measures_.pace, needed, skip);
             }
             // If the trajectory has too few frames in the first rounds, it may have enough in later ones, which slow
             // the camera down in bends.
@@ -168,9 +159,8 @@ private:
             if (frames < wanted / 4 || (frames < wanted && round > 2)) return {};
             views = gaze(flown, frames);
             if (round + 1 == retimings) break;
-            skip = std::clamp(skip + outside(now, frames) - static_cast<int>(most_outside * frames), 0,
-                              static_cast<int>(most_skipped * frames));
-            keep_moving(track, now, views, flown.director);
+            if (!schedule_.changes() && stops.empty()) skip = shortened_by(bounds, now, frames, skip);
+            keep_moving(track, now, cameras(now, views, first_up(views[0]), field_of_view), flown.director);
             slow_turns(track, now, views);
         }
         if (schedule_.changes() || !stops.empty()) learn(track, now);
@@ -191,14 +181,6 @@ private:
         if (schedule_.changes()) change(path, flown.track, flown.ride);
         cut_digits(path);
         return path;
-    }
-
-    // Returns the number of frames outside the bounds.
-    int outside(const Trajectory& ride, int frames) const
-    {
-        const Bounds& bounds = shapes_.field().bounds();
-        return static_cast<int>(std::count_if(ride.at.begin(), ride.at.begin() + frames,
-                                              [&](Vector place) { return !bounds.contains(place); }));
     }
 
     // Returns the number of frames of a flight with these stops.
@@ -227,36 +209,6 @@ private:
         }
     }
 
-    // Reduces the curve's speed factors at places at which the gaze turns too fast.
-    void slow_turns(Curve& track, const Trajectory& ride, const std::vector<Vector>& views) const
-    {
-        std::vector<double> factor(track.slow.size(), 1);
-        for (std::size_t i = 1; i < views.size(); ++i) {
-            const double turn = degrees_between(views[i - 1], views[i]);
-            if (turn <= wanted_turn) continue;
-            const auto first = static_cast<std::size_t>(ride.sample[i - 1]);
-            const auto last = static_cast<std::size_t>(ride.sample[i]) + 1;
-            for (std::size_t s = first; s <= std::min(last, factor.size() - 1); ++s) {
-                factor[s] = std::min(factor[s], std::pow(wanted_turn / turn, 1.2));
-            }
-        }
-        for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
-    }
-
-    // Changes the curve's speed factors so that the motion of the pixels approaches usual_motion. No factor exceeds 1.
-    void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Vector>& views,
-                     const Director& director) const
-    {
-        const auto frames = cameras(ride, views, first_up(views[0]), field_of_view);
-        for (std::size_t i = 0; i + 1 < frames.size(); i += view_stride) {
-            const double motion = director.motion(ride.sample[i], frames[i], frames[i + 1]);
-            const double wanted = std::clamp(std::pow(usual_motion / std::max(motion, 1e-5), 0.8), 0.4, 2.0);
-            const std::size_t end = std::min(i + view_stride, ride.sample.size() - 1);
-            for (auto s = static_cast<std::size_t>(ride.sample[i]); s < static_cast<std::size_t>(ride.sample[end]); ++s)
-                track.slow[s] = std::clamp(track.slow[s] * wanted, slowest, 1.0);
-        }
-    }
-
     // Returns the up vector of the first camera: the y axis, or the z axis if the camera looks within about 45 degrees
     // of the y axis.
     static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
@@ -275,64 +227,6 @@ private:
     std::vector<Avoided> avoided_;  // its views that are not to be repeated
     double share_ = first_share;    // expected mean speed of the next tour, as a fraction of the pace
 };
-
-constexpr double broken_promise = 1000;  // the penalty of a broken promise, as a multiple of another item's
-
-// Returns a penalty for missed thresholds; 0 if none is missed.
-double faults(const Audit& audit)
-{
-    double sum = 0;
-    for (const Row& row : audit.rows) {
-        if (row.kept()) continue;
-        const double by = std::abs(row.value - row.bar) / std::max(std::abs(row.bar), 1.0);
-        sum += (row.promise ? broken_promise : 1) * (1 + std::min(by, 5.0));
-    }
-    return sum;
-}
-
-// Returns true if the audit misses this item and no other.
-bool misses_only(const Audit& audit, std::string_view item)
-{
-    return audit.bars_missed() == 1 &&
-           std::ranges::all_of(audit.rows, [item](const Row& row) { return row.kept() || row.name == item; });
-}
-
-// Returns the items of the audit that miss their thresholds, with their values. `promises`: only promises count.
-std::string missed_items(const Audit& audit, bool promises)
-{
-    std::string items;
-    for (const Row& row : audit.rows) {
-        if (row.kept() || (promises && !row.promise)) continue;
-        items += fmt::format("{}{} ({:.4g} {} {:.4g}{}{})", items.empty() ? "" : ", ", row.name, row.value,
-                             row.at_most ? ">" : "<", row.bar, row.unit.empty() ? "" : " ", row.unit);
-    }
-    return items.empty() ? "nothing" : items;
-}
-
-// The best flight of all tours so far.
-struct Best {
-    Path path;  // empty: no tour is long enough and passes all places
-    double faults = 1e300;
-    std::string promises;  // the broken ones
-};
-
-// Throws Error if no tour gave a flight that keeps all promises, and InputError if tours missed a place.
-void check_found(const Best& best, const std::string& missed_place, std::uint64_t seed, int frames, std::size_t gates)
-{
-    if (best.path.frames.empty()) {
-        if (!missed_place.empty()) throw InputError(missed_place);
-        throw Error(
-            fmt::format("plan: no tour of seed {} is long enough for {} frames among {} gates, expected fewer "
-                        "frames, another seed or a shape with more gates",
-                        seed, frames, gates));
-    }
-    if (best.faults >= broken_promise) {
-        throw Error(
-            fmt::format("plan: no tour of seed {} among {} gates keeps every promise, the best breaks: {}; "
-                        "expected another seed or a shape with more gates",
-                        seed, gates, best.promises));
-    }
-}
 
 }  // namespace
 
@@ -359,7 +253,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 12;
     constexpr int most_gazes = 5;              // of a tour
-    constexpr std::size_t most_repeated = 16;  // views; a tour with more is given up
+    constexpr std::size_t most_repeated = 16;  // views; with more, the gaze is not chosen again
     constexpr int most_missed = 6;             // tours that miss a place, if no tour has visited all places
     Best best;
     std::string missed;  // message of the tour before
@@ -378,14 +272,15 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
             missed = planner.missed();
             continue;
         }
+        // If only views repeat, the gaze is chosen again.
         for (int gaze = 0; gaze < most_gazes && !path.frames.empty(); ++gaze) {
+            budget.check();
             const Audit result = audit(path, threads, 0, audit_stride);
-            const double here = faults(result);
             say(fmt::format("tour {}{}: misses {}\n{}", number, gaze > 0 ? ", looking elsewhere" : "",
                             missed_items(result, false), table_of(path, result)));
             const bool mendable = misses_only(result, again_item) && result.repeated.size() <= most_repeated;
-            Path next = mendable && gaze + 1 < most_gazes ? planner.look_elsewhere(path, result.repeated) : Path{};
-            if (here < best.faults) best = {std::move(path), here, missed_items(result, true)};
+            Path next = mendable ? planner.look_elsewhere(path, result.repeated) : Path{};
+            best.take(std::move(path), result);
             path = std::move(next);
         }
         if (best.faults == 0 || (number + 1 >= usual_attempts && best.faults < broken_promise)) break;

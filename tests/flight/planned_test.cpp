@@ -71,6 +71,21 @@ TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
     EXPECT_NE(to_text(path), to_text(planned()));
 }
 
+// The approach of this seed's first tour is too long, and the tour repeats a view. Both are mended without another tour.
+TEST(Plan, MendsATourThatMissesALittle)
+{
+    Scene scene = official_scene("box", 16, 9);
+    scene.conservative = true;
+    std::string log;
+    const Plan made = plan(scene, {}, 6, 7200, 0, [&](const std::string& text) { log += text; });
+    EXPECT_EQ(made.attempts, 1);
+    EXPECT_NE(log.find("tour 0: misses the same view again"), std::string::npos);
+    EXPECT_NE(log.find("tour 0, looking elsewhere: misses nothing"), std::string::npos);
+    const Audit result = audit(made.path, 0, 0, 5);
+    EXPECT_TRUE(result.repeated.empty());
+    EXPECT_EQ(result.bars_missed(), 0) << table_of(made.path, result);
+}
+
 using Frames = std::vector<Frame>;
 
 // Returns the audit of the unchanged planned path, with views of every fifth frame.

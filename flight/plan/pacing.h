@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adapts the speed and the beginning of a flight to what its camera sees.
+#pragma once
+
+#include <vector>
+
+#include "flight/plan/director.h"
+#include "flight/plan/trajectory.h"
+
+namespace mandelmarch {
+
+// Reduces the curve's speed factors at places at which the gaze turns too fast. `views`: the gaze, a unit vector per
+// frame.
+void slow_turns(Curve& track, const Trajectory& ride, const std::vector<Vector>& views);
+
+// Changes the curve's speed factors so that the median motion of the pixels approaches 0.014 picture heights per frame.
+// No factor exceeds 1. `frames`: the cameras of the trajectory.
+void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Frame>& frames, const Director& director);
+
+// Returns ride() without its first `skip` frames. If it then has fewer than `frames` frames, skips fewer frames, and
+// sets `skip` to their number.
+Trajectory ride_without(const Bounds& bounds, const Curve& track, double pace, int frames, int& skip);
+
+// Returns the number of frames to skip at the beginning of a trajectory that already skips `skip` frames, so that at
+// most 9 % of its frames are outside the bounds. Returns at most 3 % of the frames.
+int shortened_by(const Bounds& bounds, const Trajectory& ride, int frames, int skip);
+
+}  // namespace mandelmarch
