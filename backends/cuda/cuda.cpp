@@ -1,41 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cuda backend: the kernel in CUDA, on NVIDIA GPUs.
+// The backends cuda and hip: the kernel in CUDA on NVIDIA's GPUs, and in HIP on AMD's.
 #include <fmt/format.h>
 
 #include <array>
 #include <map>
 #include <mutex>
 
-#include "backends/cuda/driver.h"
 #include "backends/cuda/module.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/job/model.h"
-#include "core/job/nvidia.h"
 
 namespace mandelmarch {
-namespace cuda {
+namespace MM_MODEL {
 job::DrawKernel* drawing(std::string_view variant);
 job::Chains* chains(std::string_view precision);
-}  // namespace cuda
+}  // namespace MM_MODEL
 
 namespace {
 
-using cuda::check;
-using cuda::driver;
+using MM_MODEL::check;
+using MM_MODEL::driver;
 
-CUdeviceptr device_address(const void* address) { return reinterpret_cast<CUdeviceptr>(address); }
-
-int attribute(CUdevice device, CUdevice_attribute which)
+// Returns an NVIDIA GPU's compute capability, times ten; 0 for other GPUs.
+int capability_of(int device)
 {
-    int value = 0;
-    check(driver().cuDeviceGetAttribute(&value, which, device), "querying the device's attributes");
-    return value;
+    int major = 0;
+    int minor = 0;
+    if (driver().is_amd) return 0;
+    check(driver().attribute(&major, 75, device), "querying the device's attributes");
+    check(driver().attribute(&minor, 76, device), "querying the device's attributes");
+    return 10 * major + minor;
 }
 
-class Cuda : public job::Model {
+class Gpu : public job::Model {
 public:
-    std::string_view name() const override { return "cuda"; }
+    std::string_view name() const override { return MANDELMARCH_GPU_MODEL; }
     BackendInfo info() const override
     {
         return {.has_driver = true,
@@ -47,35 +47,31 @@ public:
         if (driver().devices == 0) return driver().missing;
         return std::nullopt;
     }
-    job::Kernels kernels() const override { return {cuda::drawing, cuda::chains}; }
+    job::Kernels kernels() const override { return {MM_MODEL::drawing, MM_MODEL::chains}; }
     std::vector<KernelResources> build(job::DrawKernel* launch) const override
     {
-        return cuda::loaded_by([&] { launch(nullptr, {}); });
+        return MM_MODEL::loaded_by([&] { launch(nullptr, {}); });
     }
     int devices() const override { return driver().devices; }
 
     job::OpenedDevice open(int index) const override
     {
-        CUdevice device = 0;
-        CUcontext context = nullptr;
+        int device = 0;
+        void* context = nullptr;
         std::array<char, 256> name{};
-        int version = 0;
-        check(driver().cuDeviceGet(&device, index), "finding the device");
-        check(driver().cuDeviceGetName(name.data(), static_cast<int>(name.size()), device),
-              "querying the device's name");
-        check(driver().cuDriverGetVersion(&version), "querying the driver's version");
-        const int capability = 10 * attribute(device, CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MAJOR) +
-                               attribute(device, CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MINOR);
-        check(driver().cuDevicePrimaryCtxRetain(&context, device), "opening the device");
+        check(driver().device(&device, index), "finding the device");
+        check(driver().name(name.data(), static_cast<int>(name.size()), device), "querying the device's name");
+        const int capability = capability_of(device);
+        check(driver().open(&context, device), "opening the device");
         const std::scoped_lock lock(mutex_);
         contexts_[index] = context;
         capabilities_[index] = capability;
-        const std::int64_t pixels = job::pixels_per_launch(index);
+        const std::int64_t pixels = job::pixels_per_launch(driver(), index);
         return {.device = {.name = printable(name.data()),
-                           .vendor = "NVIDIA",
-                           .driver = fmt::format("CUDA {}.{}", version / 1000, version % 1000 / 10),
+                           .vendor = driver().vendor,
+                           .driver = job::version_of(driver()),
                            .is_gpu = true},
-                .instruction_set = fmt::format("PTX for compute_{}", MANDELMARCH_CUDA_LOWEST),
+                .instruction_set = MANDELMARCH_GPU_CODE,
                 .pixels_per_band = pixels,
                 .refill_lanes = job::knows_threads(pixels),
                 .peak_threads = 1 << 21};
@@ -83,7 +79,7 @@ public:
 
     void run(const RendererOptions& options, const std::function<void()>& draw) const override
     {
-        CUcontext context = nullptr;
+        void* context = nullptr;
         {
             const std::scoped_lock lock(mutex_);
             if (capabilities_.at(options.device) < MANDELMARCH_CUDA_LOWEST) {
@@ -94,56 +90,56 @@ public:
             }
             context = contexts_.at(options.device);
         }
-        check(driver().cuCtxSetCurrent(context), "using the device");
-        cuda::use_blocks_of(options.block_size);
+        check(driver().use(context), "using the device");
+        MM_MODEL::use_blocks_of(options.block_size);
         draw();
     }
 
     double seconds_of(const std::function<void()>& launch) const override
     {
-        return job::seconds_on_gpu(launch, cuda::wait);
+        return job::seconds_on_gpu(driver(), launch, MM_MODEL::wait);
     }
 
     std::optional<std::size_t> free_memory(int) const override
     {
         std::size_t free = 0;
         std::size_t total = 0;
-        check(driver().cuMemGetInfo(&free, &total), "querying the device's memory");
+        check(driver().memory(&free, &total), "querying the device's memory");
         return free;
     }
     void* allocate(std::size_t bytes) const override
     {
-        CUdeviceptr address = 0;
-        const CUresult result = driver().cuMemAlloc(&address, bytes);
-        if (result == CUDA_ERROR_OUT_OF_MEMORY) return nullptr;
+        void* address = nullptr;
+        const int result = driver().allocate(&address, bytes);
+        if (result == job::out_of_memory) return nullptr;
         check(result, "allocating device memory");
-        return reinterpret_cast<void*>(address);  // NOLINT(performance-no-int-to-ptr): CUdeviceptr is an integer
+        return address;
     }
-    void release(void* address) const override { driver().cuMemFree(device_address(address)); }
+    void release(void* address) const override { driver().release(address); }
     void upload(void* to, const void* from, std::size_t bytes) const override
     {
-        check(driver().cuMemcpyHtoD(device_address(to), from, bytes), "copying to the device");
+        check(driver().upload(to, from, bytes), "copying to the device");
     }
     void read_back(void* to, const void* from, std::size_t bytes) const override
     {
-        check(driver().cuMemcpyDtoH(to, device_address(from), bytes), "copying from the device");
+        check(driver().read_back(to, from, bytes), "copying from the device");
     }
 
     void* allocate_staging(std::size_t bytes) const override
     {
         void* address = nullptr;
-        return driver().cuMemAllocHost(&address, bytes) == CUDA_SUCCESS ? address : nullptr;
+        return driver().allocate_staging(&address, bytes, 0) == 0 ? address : nullptr;
     }
-    void release_staging(void* address) const override { driver().cuMemFreeHost(address); }
+    void release_staging(void* address) const override { driver().release_staging(address); }
 
 private:
     mutable std::mutex mutex_;
-    mutable std::map<int, CUcontext> contexts_;
+    mutable std::map<int, void*> contexts_;
     mutable std::map<int, int> capabilities_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> make_cuda_backend() { return job::backend_of(std::make_unique<Cuda>()); }
+std::unique_ptr<Backend> MM_FACTORY() { return job::backend_of(std::make_unique<Gpu>()); }
 
 }  // namespace mandelmarch

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
-namespace mandelmarch::cuda {
+namespace mandelmarch::MM_MODEL {
 namespace {
 
 // Settings of the calling thread.
@@ -20,42 +22,37 @@ OfThread& of_thread()
     return state;
 }
 
-int attribute(CUfunction function, CUfunction_attribute which)
+int resource(void* function, int which)
 {
     int value = 0;
-    check(driver().cuFuncGetAttribute(&value, which, function), "querying a kernel's attributes");
+    check(driver().resource(&value, which, function), "querying a kernel's attributes");
     return value;
-}
-
-std::string too_old()
-{
-    int version = 0;
-    check(driver().cuDriverGetVersion(&version), "querying the driver's version");
-    return fmt::format("backend cuda: NVIDIA's driver is for CUDA {}.{}, the kernels need one for CUDA {} or newer",
-                       version / 1000, version % 1000 / 10, MANDELMARCH_CUDA_TOOLKIT);
 }
 
 }  // namespace
 
 const Module::Loaded& Module::loaded()
 {
-    const Driver& d = driver();
-    CUcontext context = nullptr;
-    check(d.cuCtxGetCurrent(&context), "querying the device in use");
+    const job::Driver& d = driver();
+    void* context = nullptr;
+    check(d.in_use(&context), "querying the device in use");
     const std::scoped_lock lock(mutex_);
     Loaded& kernel = loaded_[context];
     if (kernel.function == nullptr) {
-        CUmodule module = nullptr;
-        const CUresult result = d.cuModuleLoadData(&module, ptx_);
-        if (result == CUDA_ERROR_UNSUPPORTED_PTX_VERSION) throw Unavailable(too_old());
+        void* module = nullptr;
+        const int result = d.load(&module, image_);
+        if (std::ranges::count(d.refusals, result) > 0) {
+            throw Unavailable(fmt::format("backend {}: {}'s driver, {}, does not load the kernels, which need {}",
+                                          d.model, d.vendor, job::version_of(d), MANDELMARCH_GPU_NEEDED));
+        }
         check(result, "loading a kernel");
-        check(d.cuModuleGetFunction(&kernel.function, module, name_), "finding a kernel");
-        kernel.most_threads = attribute(kernel.function, CU_FUNC_ATTRIBUTE_MAX_THREADS_PER_BLOCK);
+        check(d.find(&kernel.function, module, name_), "finding a kernel");
+        kernel.most_threads = resource(kernel.function, job::most_threads_of_block);
     }
     if (of_thread().told != nullptr) {
         of_thread().told->push_back({.kernel = name_,
-                                     .registers = attribute(kernel.function, CU_FUNC_ATTRIBUTE_NUM_REGS),
-                                     .local_bytes = attribute(kernel.function, CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES)});
+                                     .registers = resource(kernel.function, job::number_of_registers),
+                                     .local_bytes = resource(kernel.function, job::bytes_of_stack)});
     }
     return kernel;
 }
@@ -65,13 +62,13 @@ void Module::launch(int threads, std::initializer_list<const void*> arguments)
     const int block = of_thread().block;
     const Loaded& kernel = loaded();
     if (block > kernel.most_threads) {
-        throw Unavailable(fmt::format("backend cuda: {} threads a block given, {} at most for {}", block,
+        throw Unavailable(fmt::format("backend {}: {} threads a block given, {} at most for {}", driver().model, block,
                                       kernel.most_threads, name_));
     }
     std::vector<void*> addresses;
     for (const void* argument : arguments) addresses.push_back(const_cast<void*>(argument));
-    check(driver().cuLaunchKernel(kernel.function, static_cast<unsigned>((threads + block - 1) / block), 1, 1,
-                                  static_cast<unsigned>(block), 1, 1, 0, nullptr, addresses.data(), nullptr),
+    check(driver().launch(kernel.function, static_cast<unsigned>((threads + block - 1) / block), 1, 1,
+                          static_cast<unsigned>(block), 1, 1, 0, nullptr, addresses.data(), nullptr),
           "launching a kernel");
 }
 
@@ -91,6 +88,6 @@ std::vector<KernelResources> loaded_by(const std::function<void()>& load)
     return resources;
 }
 
-void wait() { check(driver().cuCtxSynchronize(), "running a kernel"); }
+void wait() { check(driver().wait(), "running a kernel"); }
 
-}  // namespace mandelmarch::cuda
+}  // namespace mandelmarch::MM_MODEL

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads and launches kernels whose PTX is embedded in the program.
+// Loads and launches kernels that are embedded in the program: of cuda, as PTX; of hip, as code objects. Each of the
+// two backends compiles this folder with its own values of the macros that cmake/GpuModel.cmake defines.
 #pragma once
 
 #include <functional>
@@ -8,27 +9,46 @@
 #include <mutex>
 #include <vector>
 
-#include "backends/cuda/driver.h"
+#include "core/job/driver.h"
 #include "core/job/job.h"
 #include "core/render/backend.h"
 
-// Embeds a text file as a string with this name.
-#define MM_TEXT(name, file)                                                                        \
-    extern "C" {                                                                                   \
-    extern const char mandelmarch_cuda_##name[] __attribute__((visibility("hidden")));             \
-    }                                                                                              \
-    asm(".pushsection .rodata\n.globl mandelmarch_cuda_" #name "\n.hidden mandelmarch_cuda_" #name \
-        "\nmandelmarch_cuda_" #name ":\n.incbin \"" file "\"\n.byte 0\n.popsection\n");            \
-    static constexpr const char* name = mandelmarch_cuda_##name;
+// Directives of the assembler for the bytes of an image. cuda: PTX, which ends with a zero byte. hip: a bundle of code
+// objects, as clang-offload-bundler makes it (Clang's documentation, "Bundled Code Object Layout"). It begins with the
+// number of objects. Then it has the place, the size and the name of an object for the host, which is empty, and of one
+// for each GPU. The objects follow.
+#ifdef MANDELMARCH_GPUS
+#define MM_FOR_GPUS(directives) ".irp gpu, " MANDELMARCH_GPUS "\n" directives ".endr\n"
+#define MM_BYTES(name, file) \
+    ".ascii \"__CLANG_OFFLOAD_BUNDLE__\"\n.set .Lobjects, 1\n" MM_FOR_GPUS(".set .Lobjects, .Lobjects + 1\n")         \
+    ".quad .Lobjects, 4096, 0, 30\n.ascii \"host-x86_64-unknown-linux-gnu-\"\n"                                       \
+    MM_FOR_GPUS(".quad .L" name "\\gpu - " name ", .Lend" name "\\gpu - .L" name "\\gpu, 2f - 1f\n"                   \
+                "1: .ascii \"hipv4-amdgcn-amd-amdhsa--\\gpu\"\n2:\n")                                                 \
+    MM_FOR_GPUS(".balign 4096\n.L" name "\\gpu: .incbin \"" file ".\\gpu\"\n.Lend" name "\\gpu:\n")
+#else
+#define MM_BYTES(name, file) ".incbin \"" file ".ptx\"\n.byte 0\n"
+#endif
 
-namespace mandelmarch::cuda {
+// Embeds an image of kernels as an array with this name.
+#define MM_IMAGE(name, file)                                                              \
+    extern "C" {                                                                          \
+    extern const char name[] __attribute__((visibility("hidden")));                       \
+    }                                                                                     \
+    asm(".pushsection .rodata\n.balign 4096\n.globl " #name "\n.hidden " #name "\n" #name \
+        ":\n" MM_BYTES(#name, file) ".popsection\n");
+
+namespace mandelmarch::MM_MODEL {
+
+inline const job::Driver& driver() { return job::MM_DRIVER(); }
+inline void check(int result, const char* what) { job::check(driver(), result, what); }
 
 // A kernel, loaded once for each device that uses it.
 class Module {
 public:
-    Module(const char* ptx, const char* name) : ptx_(ptx), name_(name) {}
+    Module(const char* image, const char* name) : image_(image), name_(name) {}
 
-    // Loads the kernel on the calling thread's device. The driver translates the PTX for that device.
+    // Loads the kernel on the calling thread's device. NVIDIA's driver translates the PTX for that device. Throws
+    // Unavailable if the image does not suit the driver or the device.
     void load() { static_cast<void>(loaded()); }
     // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: addresses of the kernel's
     // arguments. Throws Unavailable if the kernel's registers do not allow blocks of this size on the device.
@@ -36,16 +56,16 @@ public:
 
 private:
     struct Loaded {
-        CUfunction function = nullptr;
+        void* function = nullptr;
         int most_threads = 0;  // max threads per block
     };
 
     const Loaded& loaded();
 
-    const char* ptx_;
+    const char* image_;
     const char* name_;
     std::mutex mutex_;
-    std::map<CUcontext, Loaded> loaded_;
+    std::map<void*, Loaded> loaded_;
 };
 
 // Returns the resources of the kernels that `load` loads in the calling thread.
@@ -57,4 +77,4 @@ void use_blocks_of(int threads);
 // Waits for all launches on the calling thread's device.
 void wait();
 
-}  // namespace mandelmarch::cuda
+}  // namespace mandelmarch::MM_MODEL

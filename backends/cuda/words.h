@@ -6,7 +6,7 @@
 
 #ifdef __HIP__
 #include "backends/cuda/amd_words.h"
-#else
+#elif !defined(KERNEL)  // A test defines the words for the host.
 #include "backends/cuda/nvidia_words.h"
 #endif
 

@@ -16,7 +16,7 @@
 #include "core/base/cores.h"
 #include "core/base/error.h"
 #include "core/job/model.h"
-#include "core/job/nvidia.h"
+#include "core/job/driver.h"
 
 extern "C" {
 extern const char mandelmarch_omptarget_library[];
@@ -134,7 +134,7 @@ public:
     double seconds_of(const std::function<void()>& launch) const override
     {
         const bool cores = omptarget::on_cpu(omp_get_default_device());
-        return cores ? Model::seconds_of(launch) : job::seconds_on_gpu(launch);
+        return cores ? Model::seconds_of(launch) : job::seconds_on_gpu(job::nvidia_driver(), launch);
     }
 
     std::optional<std::size_t> free_memory(int index) const override

@@ -5,7 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/job/model.h"
-#include "core/job/nvidia.h"
+#include "core/job/driver.h"
 
 namespace mandelmarch {
 namespace openacc {
@@ -81,7 +81,7 @@ public:
     {
         if (index < gpus()) {
             use(index);  // the driver translates the kernels
-            const std::int64_t pixels = job::pixels_per_launch(index);
+            const std::int64_t pixels = job::pixels_per_launch(job::nvidia_driver(), index);
             return {.device = {.name = text_of(index, acc_property_name),
                                .vendor = text_of(index, acc_property_vendor),
                                .driver = text_of(index, acc_property_driver),
@@ -112,7 +112,7 @@ public:
     double seconds_of(const std::function<void()>& launch) const override
     {
         const bool has_clock = gpu == acc_device_nvidia && used < gpus();
-        return has_clock ? job::seconds_on_gpu(launch) : Model::seconds_of(launch);
+        return has_clock ? job::seconds_on_gpu(job::nvidia_driver(), launch) : Model::seconds_of(launch);
     }
 
     std::optional<std::size_t> free_memory(int index) const override

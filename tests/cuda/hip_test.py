@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""hip_test.py text|objects COMPILER SOURCE FRACTAL=FILE...: compiles the kernels of backends/cuda as HIP, for two of
-AMD's GPUs. text: LLVM's intermediate representation (IR) and the assembly follow the floating-point policy, and no
-kernel needs memory for registers. objects: code objects have the right GPU and kernels. No GPU runs them."""
+"""hip_test.py text|objects PROGRAM FOLDER COMMAND...: checks the kernels of hip, whose sources are in FOLDER. COMMAND
+is the compiler with the options of exact mode. text: LLVM's intermediate representation (IR) and the assembly follow
+the floating-point policy, and no kernel needs memory for registers. objects: PROGRAM has code objects of the right GPUs
+with all kernels. No GPU runs them."""
 import concurrent.futures
 import copy
+import glob
 import os
 import re
 import struct
@@ -12,8 +14,6 @@ import subprocess
 import sys
 
 GPUS = {"gfx90a": 0x3F, "gfx942": 0x4C}  # the numbers in the flags of their code objects (LLVM's ELF.h)
-OPTIONS = ["-x", "hip", "-std=c++17", "-O3", "-nogpuinc", "-nogpulib", "--cuda-device-only", "-fno-math-errno",
-           "-fno-trapping-math", "-Wall", "-Wextra", "-Werror"]
 IR = ["-S", "-emit-llvm"]
 # Expressions of a and b that become several instructions, some of them fused, and the instruction that each has once.
 EXPANDED = {"v_div_fmas_f32": ("float", "a / b"), "v_div_fmas_f64": ("double", "a / b"),
@@ -24,15 +24,14 @@ CONTRACTION = {"exact": "off", "fast": "fast"}  # as in cmake/FloatingPoint.cmak
 
 
 class Variant:
-    """The kernels of a fractal, precision and mode. `file`: the fractal's kernel source."""
+    """The kernels of a fractal, precision and mode. `file`: their source."""
 
-    def __init__(self, compiler, source, fractal, file, precision, mode):
-        self.compiler, self.source, self.mode = compiler, source, mode
-        self.name = f"{fractal}_{precision}_{mode}"
-        words = {"fractal": fractal, "fractal_file": file, "precision": precision, "mode": mode,
-                 "is_float": str(int(precision == "float"))}
-        with open(os.path.join(source, "backends/cuda/kernel.cu.in")) as template:
-            self.text = re.sub(r"@(\w+)@", lambda match: words[match[1]], template.read())
+    def __init__(self, command, file):
+        self.command = command
+        self.name = os.path.basename(file).removeprefix("loops_").removesuffix(".cpp.cu")
+        self.mode = self.name.split("_")[-1]
+        with open(file, "rb") as source:
+            self.text = source.read()
 
     def kernels(self):
         kinds = ["march", "shade", "bytes"] + ["cones"] * (self.mode == "fast")
@@ -42,13 +41,13 @@ class Variant:
         """Returns the assembly of a kernel that computes the expression."""
         probe = copy.copy(self)
         probe.text = (f'extern "C" __attribute__((global)) void probe({precision} a, {precision} b, {precision}* x) '
-                      f"{{ *x = {expression} + 0 * b; }}")
+                      f"{{ *x = {expression} + 0 * b; }}").encode()
         return probe.compiled("gfx90a", "-S", *flags).decode()
 
     def compiled(self, gpu, *flags):
-        command = [self.compiler, *OPTIONS, f"-ffp-contract={CONTRACTION[self.mode]}", f"--offload-arch={gpu}",
-                   "-I" + self.source, *flags, "-", "-o", "-"]
-        result = subprocess.run(command, input=self.text.encode(), capture_output=True)
+        command = [*self.command, "-Wall", "-Wextra", "-Werror", f"-ffp-contract={CONTRACTION[self.mode]}",
+                   f"--offload-arch={gpu}", *flags, "-", "-o", "-"]
+        result = subprocess.run(command, input=self.text, capture_output=True)
         if result.returncode:
             sys.exit(f"{self.name}: {result.stderr.decode()[:1000]}")
         return result.stdout
@@ -128,28 +127,47 @@ def check_text(variants):
     return found
 
 
-def check_objects(variants):
+def code_objects(program):
+    """Returns the code objects of a program's bundles by GPU (Clang's documentation, "Bundled Code Object Layout")."""
+    with open(program, "rb") as file:
+        data = file.read()
+    found = {gpu: [] for gpu in GPUS}
+    for bundle in re.finditer(b"__CLANG_OFFLOAD_BUNDLE__", data):
+        at = bundle.end() + 8
+        for _ in range(struct.unpack_from("<Q", data, bundle.end())[0]):
+            offset, size, length = struct.unpack_from("<3Q", data, at)
+            gpu = data[at + 24:at + 24 + length].decode().split("-")[-1]
+            found.setdefault(gpu, []).append(data[bundle.start() + offset:bundle.start() + offset + size])
+            at += 24 + length
+    return found
+
+
+def check_objects(variants, program):
     found = []
-    for variant in variants:
-        for gpu, number in GPUS.items():
-            code = variant.compiled(gpu, "--no-gpu-bundle-output")
+    objects = code_objects(program)
+    for gpu, number in GPUS.items():
+        for code in objects[gpu]:
             machine, flags = struct.unpack_from("<H", code, 18)[0], struct.unpack_from("<I", code, 48)[0]
             if code[:4] != b"\x7fELF" or machine != 224 or flags & 0xFF != number:
-                found.append(f"{variant.name}: no code object for {gpu}: machine {machine}, flags {flags:#x}")
-            found += [f"{gpu}: no {kernel}" for kernel in variant.kernels() if kernel.encode() + b".kd\0" not in code]
-    if b"mandelmarch_cuda_cones" in variants[0].compiled("gfx90a", "--no-gpu-bundle-output"):
-        found.append("negative control: exact mode has kernels for cones")
+                found.append(f"not a code object for {gpu}: machine {machine}, flags {flags:#x}")
+        for variant in variants:
+            for kernel in variant.kernels():
+                number_of_objects = sum(kernel.encode() + b".kd\0" in code for code in objects[gpu])
+                if number_of_objects != 1:
+                    found.append(f"{gpu}: {kernel} is in {number_of_objects} code objects")
+        cones = sum(b"mandelmarch_cuda_cones" in code for code in objects[gpu])
+        if cones != len(variants) / 2:
+            found.append(f"negative control: {cones} of {len(objects[gpu])} code objects have kernels for cones")
     return found
 
 
 def main():
-    check = {"text": check_text, "objects": check_objects}[sys.argv[1]]
-    compiler, source = sys.argv[2:4]
-    found = check([Variant(compiler, source, *fractal.split("=", 1), precision, mode) for fractal in sys.argv[4:]
-                   for precision in ("float", "double") for mode in ("exact", "fast")])
+    check, program, folder, *command = sys.argv[1:]
+    variants = [Variant(command, file) for file in sorted(glob.glob(os.path.join(folder, "loops_*.cu")))]
+    found = check_text(variants) if check == "text" else check_objects(variants, program)
     for fault in found:
         print("FAILED:", fault)
-    sys.exit(bool(found))
+    sys.exit(bool(found) or not variants)
 
 
 main()

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replaces NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it. The
-// GPUs are simulated: they run the kernels' PTX, translated to C (kernels.h, made by ptx_to_c.py), one thread after the
-// other. Device memory is host memory. Environment variables describe the GPUs:
+// Replaces NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it; with
+// SIMULATED_AMD and options that rename the functions, AMD's (libamdhip64). The GPUs are simulated: they run the
+// kernels of kernels.h, which ptx_to_c.py translates from PTX, one thread after the other. Device memory is host
+// memory. Environment variables describe the GPUs:
 //   SIMULATED_GPUS        number of GPUs (default 1)
 //   SIMULATED_CAPABILITY  compute capability (default 35)
 //   SIMULATED_MEMORY      free bytes (default 1 GiB)
@@ -10,7 +11,7 @@
 //   SIMULATED_WATCHED     1: a watchdog ends long kernels
 //   SIMULATED_REGISTERS   registers per thread of each kernel (default 100)
 //   SIMULATED_FAULT       launch, lost or timeout: the first kernel fails in this way; link: gcc's kernels do not link;
-//                         version: the PTX has a version that the driver does not support
+//                         version: the image does not suit the driver or the GPU
 //   SIMULATED_CALLS       file to which the name of each called function is appended
 #define _GNU_SOURCE
 #include "kernels.h"
@@ -25,12 +26,19 @@ enum {
     DEVICE_LOST = 719,
     LAUNCH_TIMEOUT = 702,
     OUT_OF_RESOURCES = 701,
-    UNSUPPORTED_PTX_VERSION = 222,
     NOT_FOUND = 500,
     NOT_PERMITTED = 800,
     NOT_SUPPORTED = 801
 };
 
+// The version, the error of an image that does not suit the driver or the GPU, and numbers of attributes.
+#ifdef SIMULATED_AMD
+enum { VERSION = 60241134, REFUSED = 209, WATCHDOG = 18, RESIDENT_THREADS = 57, MULTIPROCESSORS = 63 };
+#else
+enum { VERSION = 11040, REFUSED = 222, WATCHDOG = 17, RESIDENT_THREADS = 39, MULTIPROCESSORS = 16 };
+#endif
+
+int thread_of_launch;  // the index of the thread that runs, for kernels compiled for the host
 static int pending;  // the error that the next synchronization returns
 static int current = -1;
 static uint64_t taken;
@@ -70,7 +78,7 @@ HOOK void __cyg_profile_func_enter(void* function, void* caller)
 HOOK void __cyg_profile_func_exit(void* function, void* caller) { (void)function, (void)caller, --depth; }
 
 int cuInit(unsigned flags) { return flags == 0 ? SUCCESS : NOT_SUPPORTED; }
-int cuDriverGetVersion(int* version) { return *version = 11040, SUCCESS; }
+int cuDriverGetVersion(int* version) { return *version = VERSION, SUCCESS; }
 int cuDeviceGetCount(int* count) { return *count = (int)number("SIMULATED_GPUS", 1), SUCCESS; }
 int cuDeviceGet(int* device, int index) { return *device = index, SUCCESS; }
 int cuDeviceGetName(char* name, int size, int device)
@@ -88,9 +96,9 @@ int cuDeviceGetAttribute(int* value, int attribute, int device)
         case 8: *value = 49152; break;   // shared memory per block
         case 10: *value = 32; break;     // warp size
         case 12: *value = 65536; break;  // registers per block
-        case 16: *value = 15; break;     // multiprocessors
-        case 17: *value = (int)number("SIMULATED_WATCHED", 0); break;
-        case 39: *value = 2048; break;   // threads per multiprocessor
+        case MULTIPROCESSORS: *value = 15; break;
+        case WATCHDOG: *value = (int)number("SIMULATED_WATCHED", 0); break;
+        case RESIDENT_THREADS: *value = 2048; break;  // of a multiprocessor
         case 82: *value = 65536; break;  // registers per multiprocessor
         case 75: *value = (int)number("SIMULATED_CAPABILITY", 35) / 10; break;
         case 76: *value = (int)number("SIMULATED_CAPABILITY", 35) % 10; break;
@@ -98,14 +106,18 @@ int cuDeviceGetAttribute(int* value, int attribute, int device)
     }
     return device < 0 ? NOT_FOUND : SUCCESS;
 }
-int cuGetErrorString(int error, const char** text)
+static const char* text_of(int error)
 {
-    *text = error == OUT_OF_MEMORY    ? "out of memory"
-            : error == LAUNCH_TIMEOUT ? "the launch timed out and was terminated"
-            : error == DEVICE_LOST    ? "unspecified launch failure"
-                                      : "simulated error";
-    return SUCCESS;
+    return error == OUT_OF_MEMORY    ? "out of memory"
+           : error == LAUNCH_TIMEOUT ? "the launch timed out and was terminated"
+           : error == DEVICE_LOST    ? "unspecified launch failure"
+                                     : "simulated error";
 }
+#ifdef SIMULATED_AMD
+const char* cuGetErrorString(int error) { return text_of(error); }
+#else
+int cuGetErrorString(int error, const char** text) { return *text = text_of(error), SUCCESS; }
+#endif
 
 int cuCtxCreate_v2(void** context, unsigned flags, int device)
 {
@@ -187,7 +199,10 @@ int cuModuleLoad(void) { return NOT_SUPPORTED; }
 int cuModuleLoadData(void** module, const void* image)
 {
     *module = module;
-    return has_fault("version") ? UNSUPPORTED_PTX_VERSION : image ? SUCCESS : NOT_FOUND;
+#ifdef SIMULATED_AMD
+    if (strncmp(image, "__CLANG_OFFLOAD_BUNDLE__", 24) != 0) return NOT_FOUND;
+#endif
+    return has_fault("version") ? REFUSED : image ? SUCCESS : NOT_FOUND;
 }
 int cuModuleUnload(void* module) { return (void)module, SUCCESS; }
 int cuModuleGetGlobal_v2(void) { return NOT_FOUND; }
@@ -293,7 +308,10 @@ int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned gr
     void (*run)(uint64_t, uint32_t, uint32_t, uint32_t) = (void (*)(uint64_t, uint32_t, uint32_t, uint32_t))function;
     ++seconds;
     for (unsigned block = 0; block < grid_x; ++block) {
-        for (unsigned thread = 0; thread < block_x; ++thread) run(*(uint64_t*)arguments[0], thread, block, grid_x);
+        for (unsigned thread = 0; thread < block_x; ++thread) {
+            thread_of_launch = (int)(block * block_x + thread);
+            run(*(uint64_t*)arguments[0], thread, block, grid_x);
+        }
     }
     return SUCCESS;
 }

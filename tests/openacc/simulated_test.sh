@@ -5,6 +5,7 @@ backend=openacc
 wrote=gcc
 most_calls=52
 never_again=
+library=libcuda.so.1
 . "$(dirname "$script")/simulated.sh"
 
 # Devices 0 to 2 are the simulated GPUs, device 3 is the host.
@@ -20,16 +21,6 @@ test_devices() {
     unset SIMULATED_GPUS
     backend=auto expect 0 bulb --output a.png
     says '^drawing with openacc \(GPU Simulated K40 number 0\)$'
-}
-
-# The picture has slightly more than 2^19 pixels. Therefore it is rendered in two bands or, if a watchdog ends long
-# launches, in three. Each band takes four launches of a second, one of them for cones.
-test_bands() {
-    large() { "$bin/mandelbulb" paramsBulb.dat --size 750x700 --backend openacc --mode fast --precision float --without trial --output a.png --stats a.json; }
-    expect 0 large
-    [ "$(seconds kernel)" = 8.0 ] || fail "kernel is $(seconds kernel) s, not that of four kernels on two bands"
-    SIMULATED_WATCHED=1 expect 0 large
-    [ "$(seconds kernel)" = 12.0 ] || fail "kernel is $(seconds kernel) s, not that of four kernels on three bands under a watchdog"
 }
 
 # On these failures, gcc's run-time library prints its own message and ends the device process.

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: Apache-2.0
+# Adds the backends cuda and hip. Both are compiled from the sources of backends/cuda.
+
+# mandelmarch_gpu_images(TEMPLATE NAME FLAG...): compiles a template to NAME.cpp.IMAGE for each image of the calling
+# mandelmarch_gpu_model(), whose variables it uses.
+function(mandelmarch_gpu_images template name)
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    configure_file(${folder}/${template} ${file}.cu @ONLY)
+    foreach(image ${with_IMAGES})
+        set(out ${file}.${image})
+        add_custom_command(OUTPUT ${out}
+            COMMAND ${with_COMMAND} ${ARGN} ${with_OPTION}${image} -I${PROJECT_SOURCE_DIR} -MD -MF ${out}.d
+                ${file}.cu -o ${out}
+            DEPENDS ${file}.cu DEPFILE ${out}.d VERBATIM)
+        set_property(SOURCE ${file} APPEND PROPERTY OBJECT_DEPENDS ${out})
+    endforeach()
+endfunction()
+
+# mandelmarch_gpu_model(NAME DRIVER FUNCTION DEVICE FILE CODE TEXT NEEDED TEXT COMPILER WORD... COMMAND WORD...
+#     OPTION TEXT IMAGES NAME... EXACT FLAG... FAST FLAG... [DEFINITIONS DEFINITION...]): adds the target
+# mandelmarch_NAME. FUNCTION of core/job/driver.h returns the driver. FILE exists on a machine that has such a GPU. CODE
+# describes the code of the kernels, and NEEDED what can load it. COMMAND with the FLAGs of a mode compiles a source;
+# OPTION, followed by the name of an image, makes the command write this image.
+function(mandelmarch_gpu_model model)
+    cmake_parse_arguments(PARSE_ARGV 1 with "" "DRIVER;DEVICE;CODE;NEEDED;OPTION"
+        "COMPILER;COMMAND;IMAGES;EXACT;FAST;DEFINITIONS")
+    set(folder ${PROJECT_SOURCE_DIR}/backends/cuda)
+    mandelmarch_job_model(${model} ${folder}/cuda.cpp ${folder}/module.cpp TEMPLATES ${folder})
+    target_compile_definitions(mandelmarch_${model} PRIVATE MM_MODEL=${model} MM_DRIVER=${with_DRIVER}
+        MM_FACTORY=make_${model}_backend MANDELMARCH_GPU_MODEL="${model}" MANDELMARCH_GPU_CODE="${with_CODE}"
+        MANDELMARCH_GPU_NEEDED="${with_NEEDED}" ${with_DEFINITIONS})
+    # Tests read these properties. A machine without the device file cannot run the backend.
+    set_target_properties(mandelmarch_${model} PROPERTIES
+        MANDELMARCH_GPU_ONLY ${with_DEVICE} MANDELMARCH_COMMAND "${with_COMMAND};${with_EXACT}")
+    mandelmarch_kernel_build(${folder}/cuda.cpp COMPILER ${with_COMPILER} EXACT ${with_EXACT} FAST ${with_FAST})
+
+    foreach(precision float double)
+        string(COMPARE EQUAL ${precision} float is_float)
+        mandelmarch_gpu_images(peak.cu.in peak_${precision} ${with_FAST})
+        foreach(fractal ${MANDELMARCH_FRACTALS})
+            set(fractal_file ${MANDELMARCH_TEXT_${fractal}})
+            foreach(mode exact fast)
+                string(TOUPPER ${mode} flags)
+                mandelmarch_gpu_images(kernel.cu.in loops_${fractal}_${precision}_${mode} ${with_${flags}})
+            endforeach()
+        endforeach()
+    endforeach()
+endfunction()
