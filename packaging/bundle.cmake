@@ -113,7 +113,7 @@ set(drivers_carried "The bundle has no drivers for CPUs, so `opencl` and `vulkan
 has a driver")
 if(DRIVERS)
     set(drivers_carried "The bundle contains PoCL (`opencl`) and lavapipe (`vulkan`), so every backend
-except `cuda` runs on any CPU")
+except `cuda` and `hip` runs on any CPU")
 endif()
 set(ffmpeg_carried "The bundle does not contain ffmpeg")
 if(FFMPEG)

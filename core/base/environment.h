@@ -51,6 +51,7 @@ inline constexpr Variables variables[] = {
      "default of OpenACC's library; --device selects openacc's device",
      true},
     {{"CUDA_VISIBLE_DEVICES", "CUDA_DEVICE_ORDER"}, "CUDA", "GPUs that programs see, and their order", true},
+    {{"HIP_VISIBLE_DEVICES", "ROCR_VISIBLE_DEVICES"}, "HIP", "GPUs that programs see", true},
     {{"CUDA_CACHE_DISABLE"}, "CUDA", "1: compiled kernels are not kept", true},
     {{"POCL_MAX_PTHREAD_COUNT", "LP_NUM_THREADS"}, "PoCL, lavapipe", "number of threads", true},
     {{"POCL_DEVICES", "POCL_AFFINITY"}, "PoCL", "devices to use, and whether threads are bound to cores", true},

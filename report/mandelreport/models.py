@@ -14,7 +14,7 @@ from .number import Number
 from .results import Results
 from .text import where
 
-DRIVERS = ("opencl", "vulkan", "cuda")  # these drivers compile and distribute the work, on an unknown number of threads
+DRIVERS = ("opencl", "vulkan", "cuda", "hip")  # these drivers compile and distribute the work, on an unknown number of threads
 
 
 def one_thread(row: Row) -> bool:

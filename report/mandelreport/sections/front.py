@@ -17,6 +17,7 @@ MODELS = {
     "openacc": "OpenACC",
     "omptarget": "OpenMP target directives",
     "cuda": "CUDA",
+    "hip": "HIP",
     "opencl": "OpenCL",
     "vulkan": "Vulkan",
 }
