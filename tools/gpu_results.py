@@ -13,7 +13,7 @@ import tarfile
 import tempfile
 
 STEP = re.compile(r"^(\S+) +(passed|skipped|failed|late) +(\d+) s  ?(.*)$")
-BACKENDS = ("cuda", "openacc", "omptarget", "opencl", "vulkan")
+BACKENDS = ("cuda", "hip", "openacc", "omptarget", "opencl", "vulkan")
 EXPECTED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report", "results")
 
 

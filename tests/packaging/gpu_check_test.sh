@@ -18,17 +18,21 @@ test_gpu_check() {
     export BACKENDS="cuda openacc opencl vulkan"
     printf '#!/bin/sh\nexec sleep 1000\n' >hanging
     chmod +x hanging
+    mkdir smi
+    printf '#!/bin/sh\necho "Card series: simulated"\n' >smi/rocm-smi
+    chmod +x smi/rocm-smi
     check() { gpu-check/gpu_check "$@" >out 2>&1; }
     results() { tar -xOzf "$1/results.tgz" "results/$2"; }
 
     # Runs the steps that gpu_check runs without --hour, but with the longer time limits of --hour, because this machine
     # may be busy. Two faults are simulated: gcc's kernels do not link, and ffmpeg hangs.
     quarter="facts cuda acc-cold openacc t-cuda t-acc opencl vulkan ncu peak floor t-cl t-vk 4k 8k film random"
-    SIMULATED_FAULT=link MANDELMARCH_FFMPEG=$PWD/hanging SECONDS_OF_film=10 check --hour bin out-all $quarter
+    PATH=$PWD/smi:$PATH SIMULATED_FAULT=link MANDELMARCH_FFMPEG=$PWD/hanging SECONDS_OF_film=10 check --hour bin out-all $quarter
     [ $? = 1 ] || fail "with a broken backend the exit code is not 1: $(cat out)"
     for step in facts cuda opencl vulkan t-cuda t-cl t-vk peak floor 4k 8k random; do
         grep -qE "^$step +passed" out-all/summary.txt || fail "$step: $(grep "^$step " out-all/summary.txt) $(results out-all $step.log | tail -5)"
     done
+    [ "$(results out-all rocm-smi.txt)" = "Card series: simulated" ] || fail "what rocm-smi says is not recorded"
     grep -qE '^cuda +passed .*same bits in 6 pictures; 18 kernels, at most 100 registers' out-all/summary.txt || fail "cuda's bits: $(cat out)"
     grep -qE '^t-cuda +passed .*8 rows verified; ms: mandelb' out-all/summary.txt || fail "cuda's times: $(cat out)"
     grep -qE '^openacc +failed .*no GPU: .*last words: libgomp' out-all/summary.txt || fail "the broken backend: $(cat out)"
