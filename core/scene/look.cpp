@@ -53,7 +53,7 @@ public:
     LookValues result() const
     {
         for (std::size_t i = 0; i < look_entries.size(); ++i) {
-            if (given_[i] || look_entries.at(i).limits[0].low <= 0) continue;
+            if (given_[i] || look_entries.at(i).ranges[0].low <= 0) continue;
             throw InputError(
                 fmt::format("{}: the entry {} is missing, expected a look file", name_, look_entries.at(i).name));
         }
@@ -68,12 +68,12 @@ private:
 
     void take(const LookEntry& entry, const std::vector<std::string_view>& words)
     {
-        const std::size_t count = entry.limits.size();
+        const std::size_t count = entry.ranges.size();
         if (words.size() != count + 1) {
             fail(fmt::format("{} has {} numbers, expected {}", entry.name, words.size() - 1, count));
         }
         for (std::size_t i = 0; i < count; ++i) {
-            const auto [low, high] = entry.limits[i];
+            const auto [low, high] = entry.ranges[i];
             const std::optional<double> value = parse_real(words[i + 1]);
             if (!value || *value < low || *value > high) {
                 fail(fmt::format("{} has '{}', expected a number from {} to {}", entry.name,

@@ -48,9 +48,9 @@ public:
 
     // Returns the gaze for the first `frames` frames (at least two) of a trajectory along the curve, as unit vectors.
     // The trajectory should have look_ahead frames more than `frames`. The gaze at every tenth frame is chosen by
-    // dynamic programming (Bellman) so that the sum of four costs is minimal: the cost of the direction, of its angle to
-    // the motion, of its closeness to an avoided direction, and of the turn. In between, the gaze is interpolated. The result is not smooth; see
-    // smoothed_gaze(). Near a stop, the gaze follows the stop's direction alone.
+    // dynamic programming (Bellman) so that the sum of four costs is minimal: the cost of the direction, of its angle
+    // to the motion, of its closeness to an avoided direction, and of the turn. In between, the gaze is interpolated.
+    // The result is not smooth; see smoothed_gaze(). Near a stop, the gaze follows the stop's direction alone.
     std::vector<Vector> gaze(const Trajectory& ride, int frames, std::span<const Stop> stops = {},
                              std::span<const Avoided> avoided = {}) const;
 

@@ -33,8 +33,7 @@ void slow_turns(Curve& track, const Trajectory& ride, const std::vector<Vector>&
     for (std::size_t s = 0; s < factor.size(); ++s) track.slow[s] = std::max(slowest, track.slow[s] * factor[s]);
 }
 
-void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Frame>& frames,
-                 const Director& director)
+void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Frame>& frames, const Director& director)
 {
     for (std::size_t i = 0; i + 1 < frames.size(); i += view_stride) {
         const double motion = director.motion(ride.sample[i], frames[i], frames[i + 1]);
@@ -56,8 +55,8 @@ Trajectory ride_without(const Bounds& bounds, const Curve& track, double pace, i
 
 int shortened_by(const Bounds& bounds, const Trajectory& ride, int frames, int skip)
 {
-    const auto outside = std::count_if(ride.at.begin(), ride.at.begin() + frames,
-                                       [&](Vector place) { return !bounds.contains(place); });
+    const auto outside =
+        std::count_if(ride.at.begin(), ride.at.begin() + frames, [&](Vector place) { return !bounds.contains(place); });
     const int excess = static_cast<int>(outside) - static_cast<int>(most_outside * frames);
     return std::clamp(skip + excess, 0, static_cast<int>(most_skipped * frames));
 }

@@ -29,8 +29,8 @@ namespace {
 
 constexpr double least_clearance = 0.0034;  // fractal sizes; the elastic band's smallest clearance
 constexpr double field_of_view = 1.0;
-constexpr double turn_limit = 1.17;     // degrees per frame; turns are limited to this, because the promise is 1.2
-constexpr int retimings = 7;  // number of times that speed and gaze are adapted to each other
+constexpr double turn_limit = 1.17;  // degrees per frame; turns are limited to this, because the promise is 1.2
+constexpr int retimings = 7;         // number of times that speed and gaze are adapted to each other
 // For shapes that change in flight:
 constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fraction of the pace
 constexpr double usual_slow = 0.7;   // wanted mean of a tour's speed factors

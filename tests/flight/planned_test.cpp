@@ -71,7 +71,8 @@ TEST(Plan, KeepsEveryPromiseByTheConservativeEstimate)
     EXPECT_NE(to_text(path), to_text(planned()));
 }
 
-// The approach of this seed's first tour is too long, and the tour repeats a view. Both are mended without another tour.
+// The approach of this seed's first tour is too long, and the tour repeats a view. Both are mended without another
+// tour.
 TEST(Plan, MendsATourThatMissesALittle)
 {
     Scene scene = official_scene("box", 16, 9);

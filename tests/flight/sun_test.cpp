@@ -2,6 +2,7 @@
 // The sun of a film.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -21,10 +22,12 @@ Path turning()
     path.scene = official_scene(fractal_named("mandelbulb"), 16, 9);
     for (int i = 0; i < frames; ++i) {
         const double angle = std::numbers::pi / 2 * i / frames;
-        path.frames.push_back({.eye = {3, 0, 0},
-                               .target = {3 + std::sin(angle), 0, std::cos(angle)},
-                               .up = {0, 1, 0},
-                               .field_of_view = 1});
+        Frame frame;
+        frame.eye = {3, 0, 0};
+        frame.target = frame.eye + Vector{std::sin(angle), 0, std::cos(angle)};
+        frame.up = {0, 1, 0};
+        frame.field_of_view = 1;
+        path.frames.push_back(frame);
     }
     return path;
 }
