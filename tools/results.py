@@ -130,6 +130,8 @@ def main():
     unknown = set(arguments.file) - {entry.name for entry in entries}
     if unknown:
         return fail(f"{', '.join(sorted(unknown))}: not in {arguments.list}", 2)
+    if not os.path.isdir(arguments.output):
+        return fail(f"{arguments.output}: not a folder, expected one for the results", 2)
     entries = [entry for entry in entries if not arguments.file or entry.name in arguments.file]
     revision = clean_revision(arguments.sources, os.path.join(arguments.programs, "bench"))
     if revision is None:

@@ -12,7 +12,7 @@ const FlightMeasures& flight_measures(const Fractal& fractal)
         .gate_least = 0.0036,
         .gate_most = 0.006,
         .pace = 0.24,
-        .limits = {.step = 0.25, .aside = 2, .passages = 8, .planning = 25},
+        .limits = {.step = 0.25, .aside = 2, .passages = 8, .planning = 15},
     };
     static constexpr FlightMeasures usual{};
     return fractal.name == "mandelbox" ? box : usual;

@@ -17,7 +17,7 @@ struct FlightMeasures {
         double step = 0.2;     // max step of the camera, in clearances per frame
         double aside = 10;     // max percentage of frames that look more than 60 degrees away from the motion
         double passages = 12;  // min number of passages per 7200 frames
-        double planning = 20;  // max seconds of planning
+        double planning = 10;  // max seconds of planning
     };
     Limits limits{};
 };

@@ -93,6 +93,12 @@ class ResultsTest(ToolTest):
         self.assertTrue(calls[0].startswith(" --runs 2 --json "))
         self.assertEqual(calls[1], "second print")
 
+    def test_a_missing_folder_is_said_before_measuring(self):
+        os.rmdir(self.path("output"))
+        code, said = self.results()
+        self.assertEqual((code, said), (2, f"results: {self.path('output')}: not a folder, expected one for the results\n"))
+        self.assertFalse(os.path.exists(self.path("calls")))
+
     def test_what_failed_goes_on_where_it_stopped(self):
         self.write("fails", "c.json")
         code, said = self.results()
