@@ -224,6 +224,8 @@ def missed(results):
             rows.append([fractal, line[2:NAME_WIDTH].strip(), kind, f"{sign} {bar}", worst, f"{kept[1]} of {kept[2]}"])
         elif " seeds, " in line and line.split(":")[0] in FRACTALS.values():
             fractal = line.split(":")[0]
+    if not rows:
+        return "Every seed keeps every threshold."
     return table(["fractal", "item", "promise or quality", "threshold", "worst value", "seeds that keep it"], rows)
 
 
