@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NVIDIA's and AMD's driver libraries. They are loaded on first use, so that programs also run without them. OpenACC
-// and OpenMP use NVIDIA's for queries that they do not support themselves.
+// NVIDIA's and AMD's driver libraries. They are loaded on first use, so that programs also run without them. The
+// backends openacc and omptarget use NVIDIA's for queries that their run-time libraries lack.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ namespace mandelmarch {
 
 inline constexpr double broken_promise = 1000;  // the penalty of a broken promise, as a multiple of another item's
 
-// Returns a penalty for missed thresholds; 0 if none is missed.
+// Returns a penalty for missed thresholds and broken promises; 0 if there are none.
 double faults(const Audit& audit);
 
 // Returns true if the audit misses this item and no other.
@@ -25,7 +25,7 @@ std::string missed_items(const Audit& audit, bool promises);
 
 // The best flight of all tours so far.
 struct Best {
-    Path path;  // empty: no tour is long enough and passes all places
+    Path path;  // empty: no tour so far is long enough and passes all places
     double faults = 1e300;
     std::string promises;  // the broken ones
 
@@ -33,7 +33,8 @@ struct Best {
     void take(Path other, const Audit& audit);
 };
 
-// Throws Error if no tour gave a flight that keeps all promises, and InputError if tours missed a place.
+// Throws InputError with the message `missed_place`, if it is not empty and there is no flight. Throws Error if there is
+// no flight for another reason, or if the best one breaks a promise. `gates`: their number, for the message.
 void check_found(const Best& best, const std::string& missed_place, std::uint64_t seed, int frames, std::size_t gates);
 
 }  // namespace mandelmarch

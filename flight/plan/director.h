@@ -34,7 +34,7 @@ private:
 std::vector<float> panoramas(const Shapes& shapes, const Sphere& sphere, std::span<const Vector> places,
                              std::span<const double> values, double end);
 
-// A direction in which the gaze should not be near a frame.
+// A direction that the gaze should avoid in the 45 frames before and after a frame.
 struct Avoided {
     std::size_t frame;
     Vector direction;  // unit vector
