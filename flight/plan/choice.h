@@ -33,8 +33,8 @@ struct Best {
     void take(Path other, const Audit& audit);
 };
 
-// Throws InputError with the message `missed_place`, if it is not empty and there is no flight. Throws Error if there is
-// no flight for another reason, or if the best one breaks a promise. `gates`: their number, for the message.
+// Throws InputError with the message `missed_place`, if it is not empty and there is no flight. Throws Error if there
+// is no flight for another reason, or if the best one breaks a promise. `gates`: their number, for the message.
 void check_found(const Best& best, const std::string& missed_place, std::uint64_t seed, int frames, std::size_t gates);
 
 }  // namespace mandelmarch
