@@ -19,10 +19,10 @@ namespace mandelmarch::job {
 struct Driver {
     bool is_amd = false;
     const char* model = "";   // the backend
-    const char* vendor = "";  // of the GPUs
+    const char* vendor = "";  // the maker of the GPUs
     const char* api = "";
     std::array<const char*, 3> libraries{};  // names, tried in this order; may be null
-    std::array<int, 2> version_units{};      // of the version's major and minor number
+    std::array<int, 2> version_units{};      // divisors that give the version's major and minor number
     std::array<int, 2> refusals{};           // errors of load() if the image does not suit the driver or the GPU
     int multiprocessors = 0;                 // numbers of the devices' attributes: multiprocessors,
     int resident_threads = 0;                // resident threads of a multiprocessor,

@@ -252,7 +252,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
     planner.find_places();
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 12;
-    constexpr int most_gazes = 5;              // of a tour
+    constexpr int most_gazes = 5;              // flights audited for each tour
     constexpr std::size_t most_repeated = 16;  // views; with more, the gaze is not chosen again
     constexpr int most_missed = 6;             // tours that miss a place, if no tour has visited all places
     Best best;
@@ -279,7 +279,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
             say(fmt::format("tour {}{}: misses {}\n{}", number, gaze > 0 ? ", looking elsewhere" : "",
                             missed_items(result, false), table_of(path, result)));
             const bool mendable = misses_only(result, again_item) && result.repeated.size() <= most_repeated;
-            Path next = mendable ? planner.look_elsewhere(path, result.repeated) : Path{};
+            Path next = mendable && gaze + 1 < most_gazes ? planner.look_elsewhere(path, result.repeated) : Path{};
             best.take(std::move(path), result);
             path = std::move(next);
         }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Sourced by the scripts with cases of openacc, cuda and hip on a simulated GPU (simulated_cuda.c), which runs a
-# program's PTX, translated to C. tests/cases.sh runs these cases with BIN SOURCE GPU COMPILER PYTHON. GPU is the folder
-# of the simulated GPU's driver, which the case `driver` makes for the other cases. The script must set the variables
+# program's PTX, translated to C. tests/cases.sh runs these cases with BIN SOURCE GPU COMPILER PYTHON. GPU is a folder:
+# the case `driver` makes the simulated GPU's driver in it, for the other cases. The script must set the variables
 # `backend`, the name of the backend; `wrote`, the compiler of its PTX; `library`, the driver's file; `most_calls` and
 # `never_again`, for test_calls.
 bin=$1
