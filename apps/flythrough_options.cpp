@@ -63,6 +63,22 @@ std::variant<int, Range> frames_option(const std::string& text)
                     most_frames));
 }
 
+// Sets the look to a colouring type, given by its number or name, or to a look file.
+void set_look(const std::string& text, Flythrough& options)
+{
+    if (parse_whole(text)) {
+        options.look = {.colouring = whole_option("look", text, 0, colouring_types - 1)};
+        return;
+    }
+    for (int type = 2; type < colouring_types; ++type) {
+        if (text != colouring_names.at(static_cast<std::size_t>(type))) continue;
+        options.look = {.colouring = type};
+        return;
+    }
+    options.look_file = text;
+    options.look = {.colouring = 2, .values = parse_look(text_of_file(text, "look file"), text)};
+}
+
 void add_options(CLI::App& app, const Registry& registry, Flythrough& options, Given& given)
 {
     add_choice(app, "COMMAND", options.command, commands, "what to do (explained below)")->default_str("")->required();
@@ -108,9 +124,9 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options, G
         ->check(whole(0, 1'000'000));
     add_precision_options(app, options.renderer);
     add_threads_option(app, options.threads);
-    app.add_option("--look", options.look,
-                   "look, a colouring type from 0 to 4 (default: plan, film: 3; otherwise the path file's)")
-        ->check(whole(0, colouring_types - 1));
+    app.add_option_function<std::string>(
+        "--look", [&](const std::string& text) { set_look(text, options); },
+        "look: number, name or file (default: plan, film: coral; otherwise the path file's)");
     app.add_option(
         "--output", options.output,
         "plan: path file (default PATH or path.json); film, render, preview: .mp4, .mkv, .webm or .gif (default "
@@ -217,8 +233,8 @@ std::vector<NamedFile> Flythrough::written() const
 
 std::vector<NamedFile> Flythrough::read() const
 {
-    if (reads_path()) return {{"PATH", path}};
-    return {{"--params", parameters}, {"--places", places}};
+    if (reads_path()) return {{"PATH", path}, {"--look", look_file}};
+    return {{"--params", parameters}, {"--places", places}, {"--look", look_file}};
 }
 
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done)

@@ -38,7 +38,8 @@ struct Flythrough {
     RendererOptions renderer{.precision = Precision::f32, .mode = Mode::fast};
     std::optional<int> device;  // nullopt: each MPI rank uses its own GPU
     int threads = 0;
-    std::optional<int> look;
+    std::string look_file;  // --look, if it names a file
+    std::optional<ChosenLook> look;
     std::string power, scale;  // schedules of these shape parameters as text, see parse_schedule(); empty: not given
     std::string output, json, map, summary, stills, title, authors;
     bool jpeg = false;

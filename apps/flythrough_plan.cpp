@@ -30,7 +30,7 @@ Scene scene_of(const Flythrough& options, bool warns = false)
         }
         scene = file.scene;
     }
-    scene.colouring = options.look.value_or(default_look);
+    scene.colouring = options.look.value_or(ChosenLook{}).colouring;
     scene.conservative = options.conservative;
     return scene;
 }

@@ -74,6 +74,18 @@ Json of(const Fractal& fractal)
             {"root_share", fractal.fast.root_share}};
 }
 
+// Returns the kernel's numbers of the look of each colouring type. They are 0 for colouring types 0 and 1.
+Json built_in_looks()
+{
+    Json looks = Json::array();
+    for (int type = 0; type < colouring_types; ++type) {
+        Scene scene = official_scene(fractals().front());
+        scene.colouring = type;
+        looks.push_back(kernel_scene<layout_f64::Scene>(scene, Mode::fast).look);
+    }
+    return looks;
+}
+
 template <class Layout>
 Json json_of(const Layout& k)
 {
@@ -103,6 +115,7 @@ Json json_of(const Layout& k)
             {"latitude", k.latitude},
             {"latitudes", k.latitudes},
             {"fractal", k.fractal},
+            {"look", k.look},
             {"eye", of(k.eye)},
             {"forward", of(k.forward)},
             {"across", of(k.across)},
@@ -131,6 +144,7 @@ std::string fractals_json()
                       {"plain_step_factor", plain_step_factor},
                       {"longest_relaxed", longest_relaxed},
                       {"colouring_types", colouring_names},
+                      {"looks", built_in_looks()},
                       {"max_iterations", max_iterations},
                       {"max_field", max_field_of_view},
                       {"sun", of(Scene{}.sun)}}},

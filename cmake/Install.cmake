@@ -12,6 +12,7 @@ foreach(program demo bench explore)
 endforeach()
 install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES paramsBulb.dat paramsBox.dat paramsJulia.dat DESTINATION ${CMAKE_INSTALL_DATADIR}/mandelmarch)
+install(DIRECTORY looks DESTINATION ${CMAKE_INSTALL_DATADIR}/mandelmarch)
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # Manual pages are made from the help texts, if help2man is installed. A help text begins with "PROGRAM: ", and a
 # description of the program.

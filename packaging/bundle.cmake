@@ -91,7 +91,7 @@ if(FFMPEG)
 endif()
 
 file(GLOB scenes ${PROJECT_SOURCE_DIR}/params*.dat)
-file(COPY ${scenes} DESTINATION ${BUNDLE})
+file(COPY ${scenes} ${PROJECT_SOURCE_DIR}/looks DESTINATION ${BUNDLE})
 file(COPY ${PROJECT_SOURCE_DIR}/flight/slurm/array.sbatch DESTINATION ${BUNDLE}/slurm)
 foreach(file gpu_check gpu_check.sha256 gpu_steps)
     file(COPY ${CMAKE_CURRENT_LIST_DIR}/${file} DESTINATION ${BUNDLE}/gpu-check)

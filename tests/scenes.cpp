@@ -79,6 +79,30 @@ private:
 
 }  // namespace
 
+LookValues cloudy_look()
+{
+    return parse_look(R"(surface 0.5 0.4 0.3
+                         layer_1 0.8 0.6 0.4  0.5 0.3 0.2  0.1 0.5
+                         layer_2 0.1 0.4 0.5  0.3 0.5 0.1  0.1 0.5
+                         layer_3 0.2 0.1 0.6  0.2 0.2 0.3  0.1 0.5
+                         layer_4 0.6 0.2 0.1  0.1 0.1 0.5  0.1 0.5
+                         sun 2.0 1.6 1.1
+                         sky_light 0.3 0.4 0.6
+                         ground_light 0.3 0.2 0.1
+                         camera_light 0.2 0.2 0.2
+                         lamp 0.5 0.4 0.3
+                         fill_light 0.1 0.1 0.2
+                         zenith 0.1 0.2 0.5
+                         horizon 0.4 0.5 0.6
+                         glow 0.8 0.6 0.4
+                         halo 0.3 0.6
+                         horizon_glow 0.4
+                         clouds 0.6
+                         haze 0.3
+                         exposure 0.8)",
+                      "cloudy");
+}
+
 std::vector<NamedScene> odd_scenes()
 {
     Scenes scenes;
@@ -104,6 +128,9 @@ std::vector<NamedScene> odd_scenes()
         scene.centred = true;
         scene.crop_window = {.left = 40, .bottom = 20, .whole_width = 160, .whole_height = 80};
         scenes.add(fmt::format("{}, some of all directions", fractal.short_name), scene);
+        scene.crop_window = {};
+        scene.look = cloudy_look();
+        scenes.add(fmt::format("{}, a look of its own", fractal.short_name), scene);
     }
     return scenes.take();
 }

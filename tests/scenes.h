@@ -22,6 +22,9 @@ std::vector<NamedScene> odd_scenes();
 // Returns scenes of every fractal with random cameras, shapes and iterations; the same seed gives the same scenes.
 std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed);
 
+// Returns a look in which every number of the kernel has an effect.
+LookValues cloudy_look();
+
 // Renders a picture with all layers.
 Image render(const Backend& backend, const Scene& scene, const RendererOptions& options);
 

@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 11: looks, which are the colouring types 2 and above. Colours are linear light until displayed()
-// converts them.
-//   2 limestone  warm stone under a cool sky
-//   3 coral      the orbit trap's colours under the same light
-//   4 lagoon     dark water, with a lamp at the camera
+// Kernel source, part 11: looks, which are the colouring types 2 and above. The numbers of a look are in scene.look, in
+// the order of look_entries in core/scene/look.h. Colours are linear light until displayed() converts them.
 // All looks have haze, ambient occlusion and a soft key light. The occlusion and the softness are computed from
 // estimates at a few points along a line (Evans, "Fast approximations for global illumination on dynamic scenes",
 // SIGGRAPH 2006 course).
+
+FN vec3 look_colour(Scene scene, int first)
+{
+    return vec3(scene.look[first], scene.look[first + 1], scene.look[first + 2]);
+}
+
+FN vec3 surface_colour(Scene scene) { return look_colour(scene, 0); }
+FN vec3 sun_light(Scene scene) { return look_colour(scene, 35); }
+FN vec3 sky_light(Scene scene) { return look_colour(scene, 38); }
+FN vec3 ground_light(Scene scene) { return look_colour(scene, 41); }
+FN vec3 camera_light(Scene scene) { return look_colour(scene, 44); }
+FN vec3 lamp(Scene scene) { return look_colour(scene, 47); }
+FN vec3 fill_light(Scene scene) { return look_colour(scene, 50); }
+FN vec3 zenith(Scene scene) { return look_colour(scene, 53); }
+FN vec3 horizon(Scene scene) { return look_colour(scene, 56); }
+FN vec3 glow(Scene scene) { return look_colour(scene, 59); }
+FN scalar wide_halo(Scene scene) { return scene.look[62]; }
+FN scalar narrow_halo(Scene scene) { return scene.look[63]; }
+FN scalar horizon_glow(Scene scene) { return scene.look[64]; }
+FN scalar cloud_cover(Scene scene) { return scene.look[65]; }
+FN scalar haze_share(Scene scene) { return scene.look[66]; }
+FN scalar exposure(Scene scene) { return scene.look[67]; }
 
 FN real saturated(real x) { return pick(x > 0, pick(x < 1, x, R(1.0)), R(0.0)); }
 
@@ -47,57 +66,98 @@ FN Openness openness(Scene scene, vec3 p, vec3 n, real t, mask on)
     return result;
 }
 
-// Returns the albedo of the surface, a mix of colours selected by the orbit trap.
-FN vec3 albedo(Scene scene, vec3 trap)
+// Returns the colour with a layer of the palette over it. `first`: the place of the layer's numbers. The orbit trap
+// selects how much of the layer is seen.
+FN vec3 layered(Scene scene, vec3 colour, vec3 trap, int first)
 {
-    vec3 colour = blend(vec3(R(0.62), R(0.52), R(0.40)), vec3(R(0.40), R(0.28), R(0.20)), saturated(trap.z));
-    if (scene.colouring == 3) {
-        colour = blend(vec3(R(0.88), R(0.20), R(0.08)), vec3(R(0.84), R(0.62), R(0.40)), saturated(R(2.5) * trap.x));
-        colour = blend(colour, vec3(R(0.03), R(0.40), R(0.44)), saturated(R(2.5) * trap.x - 1));
-        colour = blend(colour, vec3(R(0.80), R(0.54), R(0.22)), saturated(R(0.9) - 3 * trap.y));
-        colour = blend(colour, vec3(R(0.16), R(0.03), R(0.10)), R(0.7) * saturated(trap.z));
-    }
-    if (scene.colouring == 4) {
-        colour = blend(vec3(R(0.05), R(0.55), R(0.50)), vec3(R(0.65), R(0.60), R(0.30)), saturated(trap.x));
-        colour = blend(colour, vec3(R(0.10), R(0.12), R(0.45)), saturated(trap.z));
-    }
-    return colour;
+    real seen = saturated(dot3(trap, look_colour(scene, first + 3)) + scene.look[first + 6]);
+    return blend(colour, look_colour(scene, first), scene.look[first + 7] * seen);
 }
 
-// Returns the colour of a ray without a hit. It is also the colour of the haze in that direction.
+// Returns the albedo of the surface: the palette's colours, mixed by the orbit trap.
+FN vec3 albedo(Scene scene, vec3 trap)
+{
+    vec3 colour = layered(scene, surface_colour(scene), trap, 3);
+    colour = layered(scene, colour, trap, 11);
+    colour = layered(scene, colour, trap, 19);
+    return layered(scene, colour, trap, 27);
+}
+
+// Returns the colour of the sky without clouds. It is also the colour of the haze in that direction.
 FN vec3 sky(Scene scene, vec3 direction)
 {
-    vec3 zenith = vec3(R(0.10), R(0.24), R(0.55));
-    vec3 horizon = vec3(R(0.42), R(0.50), R(0.58));
-    vec3 glow = vec3(R(0.80), R(0.66), R(0.44));
-    if (scene.colouring == 3) {
-        zenith = vec3(R(0.04), R(0.09), R(0.22));
-        horizon = vec3(R(0.42), R(0.32), R(0.30));
-        glow = vec3(R(0.95), R(0.58), R(0.26));
-    }
-    if (scene.colouring == 4) {
-        zenith = vec3(R(0.00), R(0.02), R(0.06));
-        horizon = vec3(R(0.01), R(0.10), R(0.15));
-        glow = vec3(R(0.02), R(0.16), R(0.16));
-    }
-    // The sky is brighter at the horizon and darker above and below. The sun has a wide and a narrow halo.
+    // The sky is brighter at the horizon and darker above and below. The sun has a wide and a narrow halo, and the
+    // horizon can glow, most below the sun.
     real low = 1 - direction.y * direction.y;
     low = low * low;
     low = low * low;
-    real near = saturated(dot3(direction, splat(scene.sun)));
+    real towards_sun = dot3(direction, splat(scene.sun));
+    real near = saturated(towards_sun);
     near = near * near;
-    real wide_halo = near * near;
-    real halo = wide_halo * wide_halo;
-    halo = halo * halo;
-    halo = halo * halo;
-    return along(blend(zenith, horizon, low), glow, R(0.30) * wide_halo + R(0.6) * halo);
+    real wide = near * near;
+    real narrow = wide * wide;
+    narrow = narrow * narrow;
+    narrow = narrow * narrow;
+    real band = low * low;
+    band = band * band * (R(0.6) + R(0.4) * towards_sun);
+    real glowing = wide_halo(scene) * wide + narrow_halo(scene) * narrow + horizon_glow(scene) * band;
+    return along(blend(zenith(scene), horizon(scene), low), glow(scene), glowing);
+}
+
+// Returns a smooth wave of period 1, from 0 to 1.
+FN real wave(real x)
+{
+    real r = x - nearest(x);
+    r = 1 - 4 * r * r;
+    return r * r;
+}
+
+// Returns the opacity of the clouds in a direction. The clouds are a layer high above the ground, a sum of six octaves.
+// An octave is a product of two waves at right angles; each wave is bent by the other and by the sum so far.
+FN real clouds(Scene scene, vec3 direction)
+{
+    real height = larger(direction.y, 0);
+    real u = quotient(direction.x, height + R(0.15)) + 3;
+    real v = quotient(direction.z, height + R(0.15)) + 5;
+    // Turned into the wind, and drawn out along it.
+    real x = R(0.19) * (R(0.8) * u + R(0.6) * v);
+    real y = R(0.55) * (R(0.8) * v - R(0.6) * u);
+    real sum = 0;
+    scalar weight = R(0.5);
+    int octave = 0;
+    while (octave < 6) {
+        real across = wave(x + R(0.45) * wave(y + R(0.3)) + R(0.2) * sum);
+        real upward = wave(y + R(0.45) * wave(R(0.7) * x) + R(0.15) * sum);
+        sum = sum + weight * across * upward;
+        real turned = R(2.07) * (R(0.8) * x + R(0.6) * y) + R(0.37);
+        y = R(1.93) * (R(0.8) * y - R(0.6) * x) + R(0.71);
+        x = turned;
+        weight = weight * R(0.62);
+        octave = octave + 1;
+    }
+    // Half of the sums are above 0.27. Clouds fade towards the horizon.
+    real dense = saturated(R(2.2) * (sum - R(0.62) + R(0.45) * cloud_cover(scene))) * saturated(5 * height);
+    return R(0.7) * dense * dense * (3 - 2 * dense);
+}
+
+// Returns the colour of a ray without a hit.
+FN vec3 backdrop(Scene scene, vec3 direction)
+{
+    vec3 colour = sky(scene, direction);
+    if (cloud_cover(scene) > 0) {
+        real near = saturated(dot3(direction, splat(scene.sun)));
+        near = near * near;
+        vec3 light = along(horizon(scene), glow(scene), R(0.25) + R(0.6) * near * near);
+        colour = blend(colour, light, clouds(scene, direction));
+    }
+    return colour;
 }
 
 // Converts linear light to a display value: applies the brightness, a film curve (Narkowicz, "ACES filmic tone mapping
 // curve", 2016), and a gamma of 2.
 FN real displayed(Scene scene, real light)
 {
-    real x = R(0.8) * scene.brightness * light;
+    real x = exposure(scene) * scene.brightness * light;
     return root(saturated(quotient(x * (R(2.51) * x + R(0.03)), x * (R(2.43) * x + R(0.59)) + R(0.14))));
 }
 
@@ -144,17 +204,15 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Occlusi
     real key = saturated(R(0.08) + R(0.92) * dot3(n, sun)) * found.sunwards;
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
     // Adds light from the sky, the ground and the sun, and a little from the camera.
-    vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), vec3(R(0.28), R(0.39), R(0.60)));
-    light = along(light, vec3(R(0.30), R(0.17), R(0.11)), shelter * (R(0.5) - R(0.5) * n.y));
-    light = along(light, vec3(R(2.15), R(1.64), R(1.00)), key);
-    light = along(light, vec3(R(0.20), R(0.18), R(0.17)), shelter * facing);
+    vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), sky_light(scene));
+    light = along(light, ground_light(scene), shelter * (R(0.5) - R(0.5) * n.y));
+    light = along(light, sun_light(scene), key);
+    light = along(light, camera_light(scene), shelter * facing);
+    // Adds a lamp at the camera: its light decreases with the distance, and surfaces at grazing angles stay dark.
     real hazed = haze(t);
-    if (scene.colouring == 4) {
-        // A lamp at the camera: its light decreases with the distance, and surfaces at grazing angles stay dark.
-        real fall = quotient(1 - hazed, 1 + 5 * hazed);
-        light = times(shelter * (R(0.15) + facing * facing) * fall, vec3(R(1.8), R(1.65), R(1.3)));
-        light = along(light, vec3(R(0.05), R(0.13), R(0.19)), shelter);
-    }
+    real fall = quotient(1 - hazed, 1 + 5 * hazed);
+    light = along(light, lamp(scene), shelter * (R(0.15) + facing * facing) * fall);
+    light = along(light, fill_light(scene), shelter);
     // A glint, where the normal is close to the direction halfway between the sun and the camera.
     real glint = saturated(dot3(n, unit(minus(sun, direction))));
     glint = glint * glint;
@@ -163,7 +221,7 @@ FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Occlusi
     // The haze rises faster than haze(), and reaches half its maximum at about half the fractal's size, so that it also
     // shows depth inside the fractal.
     real air = quotient(5 * hazed, 1 + 4 * hazed);
-    air = air * air * (scene.colouring == 4 ? R(0.5) : R(0.24));
+    air = air * air * haze_share(scene);
     vec3 behind = sky(scene, direction);
     vec3 lit_stone = scaled(albedo(scene, orbit_trap(scene, p, on)), light);
     lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);

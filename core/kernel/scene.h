@@ -29,6 +29,7 @@ struct Scene {
     scalar spacing;       // max distance of diagonally adjacent rays, at distance 1 from the camera
     scalar subtile_hull;  // size of an enlarged hull, which a subtile's centre meets if one of its rays meets the hull
     scalar fractal[13];   // constants whose meanings the fractal's file defines
+    scalar look[68];      // numbers of the look, whose meanings looks.h defines; 0 for colouring types 0 and 1
 
     triple eye;      // position of the camera
     triple forward;  // to the centre of the pixels, at distance 1; equirectangular: unit vector of the view direction

@@ -110,7 +110,7 @@ FN Pixel missed(Scene scene, Hit hit)
 {
     Pixel pixel;
     pixel.colour = vec3(R(0.4), R(0.4), R(0.4));
-    if (scene.colouring > 1) pixel.colour = displayed3(scene, sky(scene, hit.direction));
+    if (scene.colouring > 1) pixel.colour = displayed3(scene, backdrop(scene, hit.direction));
     pixel.depth = scene.miss;
     pixel.steps = hit.steps;
     pixel.de_calls = hit.de_calls;

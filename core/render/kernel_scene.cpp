@@ -29,9 +29,19 @@ constexpr bool layout_is_portable()
 {
     constexpr std::size_t real = sizeof(Layout::tolerance);
     return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 15 * real &&
-           offsetof(Layout, eye) == 32 + 28 * real && sizeof(Layout) == 32 + 48 * real;
+           offsetof(Layout, look) == 32 + 28 * real && offsetof(Layout, eye) == 32 + 96 * real &&
+           sizeof(Layout) == 32 + 116 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
+
+// The places in core/kernel/looks.h.
+static_assert(std::extent_v<decltype(layout_f64::Scene::look)> == kernel_look_numbers);
+static_assert(place_in_look("layer_1") == 3 && place_in_look("layer_4") == 27 && place_in_look("sun") == 35 &&
+              place_in_look("sky_light") == 38 && place_in_look("ground_light") == 41 &&
+              place_in_look("camera_light") == 44 && place_in_look("lamp") == 47 && place_in_look("fill_light") == 50 &&
+              place_in_look("zenith") == 53 && place_in_look("horizon") == 56 && place_in_look("glow") == 59 &&
+              place_in_look("halo") == 62 && place_in_look("horizon_glow") == 64 && place_in_look("clouds") == 65 &&
+              place_in_look("haze") == 66 && place_in_look("exposure") == 67);
 
 // Returns the value of Scene::differences in core/kernel/scene.h. A conservative estimate has no analytic gradient.
 int differences(const Scene& scene, bool fast, bool in_float, const Techniques& techniques)
@@ -142,6 +152,10 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
+    if (scene.colouring > 1) {
+        const LookValues& look = look_of(scene);
+        for (std::size_t i = 0; i < std::size(k.look); ++i) k.look[i] = real(look.numbers.at(i));
+    }
     put_camera(scene, k);
     k.spacing = spacing_of(k);
     k.subtile_hull = subtile_hull_of(k, *scene.fractal);

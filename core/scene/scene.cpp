@@ -37,4 +37,6 @@ void check_scene(const Scene& scene, const std::function<std::string(Item)>& whe
     }
 }
 
+const LookValues& look_of(const Scene& scene) { return scene.look ? *scene.look : built_in_look(scene.colouring); }
+
 }  // namespace mandelmarch

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/scene/look.h"
 #include "core/scene/vector.h"
 
 namespace mandelmarch {
@@ -70,7 +72,8 @@ struct Scene {
     bool smooth = false;        // normals ignore details smaller than a tolerance
     bool centred = false;       // rays go through the centres of the pixels; false: through their lower left corners
     Projection projection = Projection::perspective;
-    Vector sun{0.48, 0.64, 0.6};  // unit vector towards the sun, for colouring types 2 and above
+    Vector sun{0.48, 0.64, 0.6};     // unit vector towards the sun, for colouring types 2 and above
+    std::optional<LookValues> look;  // of colouring types 2 and above; nullopt: built_in_look()
     StepLimits limits;
     CropWindow crop_window;
 
@@ -85,5 +88,8 @@ inline constexpr int item_count = 11;
 // the view, or the fractal cannot be computed with these constants. The message begins with where(entry), the place of
 // the entry.
 void check_scene(const Scene& scene, const std::function<std::string(Item)>& where);
+
+// Returns the look of a scene whose colouring type is 2 or above.
+const LookValues& look_of(const Scene& scene);
 
 }  // namespace mandelmarch

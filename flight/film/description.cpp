@@ -21,6 +21,14 @@ Device device_of(const Backend& backend, const RendererOptions& renderer)
     return number < devices.size() ? devices[number] : Device{};
 }
 
+// Returns the look that replaces the path's: the numbers of a look file or a colouring type; -1: no look does.
+nlohmann::ordered_json look_in(const Picture& picture)
+{
+    if (!picture.look) return -1;
+    if (!picture.look->values) return picture.look->colouring;
+    return picture.look->values->numbers;
+}
+
 }  // namespace
 
 std::string description_of(const Path& path, const Backend& backend, const Picture& picture,
@@ -35,7 +43,7 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
         {"width", picture.width},
         {"height", picture.height},
         {"samples", picture.samples},
-        {"look", picture.look.value_or(-1)},
+        {"look", look_in(picture)},
         {"equirectangular", picture.projection == Projection::equirectangular},
         {"stereo", picture.stereo},
         {"backend", backend.name()},

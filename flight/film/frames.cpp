@@ -42,18 +42,20 @@ double worth(Vector sun, Vector gaze)
     return (1 - cosine * cosine) * (cosine > 0 ? against : 1);
 }
 
-// Returns the unit vector towards the sun for a path's film. The sun is as high as the default sun of Scene. Its
-// horizontal direction is chosen so that most frames are lit from the side, which shows relief best, and rather from
-// behind the camera than from the front.
-Vector sun_of(const Path& path)
+// Returns a unit vector at this height above the horizon. Both angles are in radians.
+Vector sun_at(double height, double azimuth)
 {
-    const Vector usual = Scene{}.sun;
-    const double level = std::hypot(usual.x, usual.z);
-    Vector best = usual;
+    return {std::cos(height) * std::sin(azimuth), std::sin(height), std::cos(height) * std::cos(azimuth)};
+}
+
+// Returns the direction of a sun that shines in the whole film. It is chosen so that most frames are lit from the side,
+// which shows relief best, and rather from behind the camera than from the front.
+Vector steady_sun(const Path& path, double height)
+{
+    Vector best = sun_at(height, 0);
     double most = 0;
     for (int i = 0; i < directions; ++i) {
-        const double angle = 2 * std::numbers::pi * i / directions;
-        const Vector sun{level * std::sin(angle), usual.y, level * std::cos(angle)};
+        const Vector sun = sun_at(height, 2 * std::numbers::pi * i / directions);
         double sum = 0;
         for (std::size_t frame = 0; frame < path.frames.size(); frame += frames_apart) {
             sum += worth(sun, unit(path.frames[frame].target - path.frames[frame].eye));
@@ -64,6 +66,29 @@ Vector sun_of(const Path& path)
         }
     }
     return best;
+}
+
+constexpr double window = 20;      // seconds before and after a frame whose gazes turn the sun
+constexpr double beside_it = 110;  // degrees from the mean gaze to the sun, to the right
+
+// Returns the direction of a sun that turns with the way: it is beside the mean gaze of the frames near `frame`, a
+// little behind it. Frames count less the farther away they are, so that the sun moves smoothly.
+Vector following_sun(const Path& path, double height, std::size_t frame)
+{
+    const auto second = static_cast<std::size_t>(path.frames_per_second);
+    const double reach = window * path.frames_per_second;
+    Vector mean{0, 0, 0};
+    for (std::size_t i = 0; i < path.frames.size(); i += second) {
+        const double weight = 1 - std::abs(static_cast<double>(i) - static_cast<double>(frame)) / reach;
+        if (weight > 0) mean = mean + weight * unit(path.frames[i].target - path.frames[i].eye);
+    }
+    return sun_at(height, std::atan2(mean.x, mean.z) - beside_it * std::numbers::pi / 180);
+}
+
+Vector sun_of(const Path& path, const LookValues& look, std::size_t frame)
+{
+    const double height = look.sun_height() * std::numbers::pi / 180;
+    return look.sun_follows() ? following_sun(path, height, frame) : steady_sun(path, height);
 }
 
 int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }
@@ -83,11 +108,14 @@ Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
     const Frame& flown = path.frames[frame];
     Scene scene = picture_of(path, everywhere ? looking_everywhere(path, flown) : flown, picture.width, picture.height);
     scene.projection = picture.projection;
-    scene.sun = sun_of(path);
     scene.width = samples_along(picture.width, picture.samples);
     scene.height = samples_along(picture.height, picture.samples);
     scene.centred = true;
-    if (picture.look) scene.colouring = *picture.look;
+    if (picture.look) {
+        scene.colouring = picture.look->colouring;
+        scene.look = picture.look->values;
+    }
+    if (scene.colouring > 1) scene.sun = sun_of(path, look_of(scene), frame);
     return scene;
 }
 

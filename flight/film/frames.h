@@ -11,11 +11,17 @@
 
 namespace mandelmarch {
 
+// A look that replaces the path's: a colouring type, and, for a look file, its numbers.
+struct ChosenLook {
+    int colouring = default_look;
+    std::optional<LookValues> values = std::nullopt;
+};
+
 struct Picture {
-    int width = 1920;         // pixels
-    int height = 1080;        // pixels
-    double samples = 1;       // per pixel side, at least 1; 2: renders twice the size and averages 2 x 2 samples
-    std::optional<int> look;  // colouring type that replaces the path's
+    int width = 1920;    // pixels
+    int height = 1080;   // pixels
+    double samples = 1;  // per pixel side, at least 1; 2: renders twice the size and averages 2 x 2 samples
+    std::optional<ChosenLook> look;
     // Equirectangular pictures do not turn with the camera: up is always y, and the centre is always the horizontal
     // direction of the first frame's gaze.
     Projection projection = Projection::perspective;

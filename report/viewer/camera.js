@@ -54,7 +54,7 @@ function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, m
         differences: 0, difference_step: 0, hull: 0, subtile_hull: 0, spacing: 0,
         tolerance: Math.pow(10, Math.fround(s.detail)), step_factor,
         relaxation: fast && step_factor >= rules.plain_step_factor ? rules.longest_relaxed : step_factor, end: rules.end, miss: Infinity,
-        brightness: s.brightness, root_share: row.root_share, fractal: row.constants(...inputs),
+        brightness: s.brightness, look: rules.looks[s.colouring], root_share: row.root_share, fractal: row.constants(...inputs),
         longitude: 0, longitudes: 0, latitude: 0, latitudes: 0, sun: rules.sun,
         eye: camera.eye, forward: camera.forward,
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };

@@ -73,6 +73,33 @@ test_parts_of_a_path() {
     run 2 audit path.json --frames 1-2
 }
 
+# A look is given by its number, its name or a file. A film with another look is made again.
+test_looks() {
+    local look
+    for look in 3 coral "$source/looks/coral.look"; do
+        run 0 render path.json $small --look "$look" --stills stills --frames 10-10
+        [ -e coral.png ] || cp stills/frame-000010.png coral.png
+        same_file stills/frame-000010.png coral.png "the look $look"
+    done
+    cp "$source/looks/coral.look" my.look
+    run 0 render path.json $small --look my.look --output film.mkv
+    cp film.mkv coral.mkv
+    sed -i 's/^exposure .*/exposure 2/' my.look
+    run 0 render path.json $small --look my.look --output film.mkv
+    cmp -s film.mkv coral.mkv && fail "a film stays though its look file has changed"
+    run 2 render path.json $small --look nowhere.look
+    says 'nowhere.look: cannot be read, expected a look file'
+    run 2 render path.json $small --look 5
+    says "look: '5' given, expected a whole number from 0 to 4"
+    echo 'haze 2' >my.look
+    run 2 render path.json $small --look my.look
+    says "my.look:1: haze has '2', expected a number from 0 to 1"
+    cp "$source/looks/coral.look" look.mp4
+    run 2 render path.json $small --look look.mp4 --output look.mp4
+    says 'look'
+    same_file look.mp4 "$source/looks/coral.look"
+}
+
 # A preview has every eighth frame, or every N-th frame with --every N. With --stills, too.
 test_previews() {
     run 0 preview path.json

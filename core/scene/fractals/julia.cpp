@@ -10,7 +10,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr std::string_view official =
-#include "official/paramsJulia.dat"
+#include "texts/paramsJulia.dat"
     ;
 
 constexpr ParameterInfo::Slider part{-1, 1, 0.005};

@@ -10,7 +10,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr std::string_view official =
-#include "official/paramsBox.dat"
+#include "texts/paramsBox.dat"
     ;
 constexpr double huge = 1e6;
 constexpr double farthest_point = 1e4;  // exceeds every coordinate of a sample, with a margin

@@ -12,7 +12,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr std::string_view official =
-#include "official/paramsBulb.dat"
+#include "texts/paramsBulb.dat"
     ;
 constexpr double low_power_stride = 0.4;
 // Fraction c of the envelope in conservative_growth() (core/kernel/fractals/mandelbulb.h).

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/scene/look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bitset>
+#include <optional>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
+
+namespace mandelmarch {
+namespace {
+
+constexpr std::string_view separators = " \t\r\f\v";
+constexpr std::size_t longest_word = 40;  // bytes of a word in a message
+
+// Returns the words of a line without its comment, which begins with #.
+std::vector<std::string_view> words_of(std::string_view line)
+{
+    line = line.substr(0, line.find('#'));
+    std::vector<std::string_view> words;
+    for (std::size_t from = line.find_first_not_of(separators); from != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(separators, from), line.size());
+        words.push_back(line.substr(from, end - from));
+        from = line.find_first_not_of(separators, end);
+    }
+    return words;
+}
+
+class LookReader {
+public:
+    explicit LookReader(const std::string& name) : name_(name) {}
+
+    void read(std::string_view line)
+    {
+        ++number_;
+        const std::vector<std::string_view> words = words_of(line);
+        if (words.empty()) return;
+        for (std::size_t i = 0; i < look_entries.size(); ++i) {
+            if (look_entries.at(i).name != words[0]) continue;
+            if (given_[i]) fail(fmt::format("{} is given twice", words[0]));
+            given_[i] = true;
+            return take(look_entries.at(i), words);
+        }
+        fail(fmt::format("'{}' given, expected an entry of a look, such as exposure",
+                         printable(words[0], longest_word)));
+    }
+
+    LookValues result() const
+    {
+        for (std::size_t i = 0; i < look_entries.size(); ++i) {
+            if (given_[i] || look_entries.at(i).ranges[0].low <= 0) continue;
+            throw InputError(
+                fmt::format("{}: the entry {} is missing, expected a look file", name_, look_entries.at(i).name));
+        }
+        return look_;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const
+    {
+        throw InputError(fmt::format("{}:{}: {}", name_, number_, why));
+    }
+
+    void take(const LookEntry& entry, const std::vector<std::string_view>& words)
+    {
+        const std::size_t count = entry.ranges.size();
+        if (words.size() != count + 1) {
+            fail(fmt::format("{} has {} numbers, expected {}", entry.name, words.size() - 1, count));
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [low, high] = entry.ranges[i];
+            const std::optional<double> value = parse_real(words[i + 1]);
+            if (!value || *value < low || *value > high) {
+                fail(fmt::format("{} has '{}', expected a number from {} to {}", entry.name,
+                                 printable(words[i + 1], longest_word), low, high));
+            }
+            look_.numbers.at(place_in_look(entry.name) + i) = *value;
+        }
+    }
+
+    const std::string& name_;
+    int number_ = 0;  // number of the current line, from 1
+    std::bitset<look_entries.size()> given_;
+    LookValues look_;
+};
+
+}  // namespace
+
+LookValues parse_look(std::string_view text, const std::string& name)
+{
+    LookReader reader(name);
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        reader.read(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return reader.result();
+}
+
+const LookValues& built_in_look(int colouring)
+{
+    static const std::array looks{
+        parse_look(
+#include "texts/limestone.look"
+            , "limestone.look"),
+        parse_look(
+#include "texts/coral.look"
+            , "coral.look"),
+        parse_look(
+#include "texts/lagoon.look"
+            , "lagoon.look"),
+    };
+    return looks.at(static_cast<std::size_t>(colouring) - 2);
+}
+
+}  // namespace mandelmarch
