@@ -160,6 +160,30 @@ FN void march_pixel(const KernelArguments* job, int thread)
 }
 #endif
 
+// Returns the pixel of a hit, as shade() does. Each stage loads the scene again, so that a number of the look is in a
+// register only where it is used. The structs are not const: g++ 12 would keep const ones in the GPU's memory.
+FN Pixel shaded(const KernelArguments* job, Hit hit)
+{
+    ShadingPoint at = shading_point(scene_of(job), hit);
+    Normal normal = normal_at(scene_of(job), at.p, at.t, true);
+    vec3 n = facing(scene_of(job), hit.direction, normal.direction, at.t);
+    Pixel pixel;
+    pixel.depth = at.t;
+    pixel.steps = hit.steps;
+    pixel.de_calls = hit.de_calls + normal.de_calls;
+    pixel.iterations = hit.iterations + normal.iterations;
+    if (job->scene.colouring > 1) {
+        Occlusion found = occlusion(scene_of(job), at.p, n, at.t, true);
+        Lighting there = lighting(scene_of(job), hit.direction, n, at.t, found);
+        pixel.colour = look_shown(scene_of(job), there, orbit_trap(scene_of(job), at.p, true));
+        pixel.de_calls = pixel.de_calls + found.de_calls + 1;
+        pixel.iterations = pixel.iterations + found.iterations;
+    } else {
+        pixel.colour = lit(scene_of(job), hit.direction, n);
+    }
+    return pixel;
+}
+
 FN void shade_pixel(const KernelArguments* job, int thread)
 {
     Place place = place_of(job, thread);
@@ -175,7 +199,12 @@ FN void shade_pixel(const KernelArguments* job, int thread)
     ray.iterations = job->wholes[place.at + 2 * place.pixels];
     Hit hit = stopped(scene_of(job), ray);
     if (canonical != 0) hit = refine(scene_of(job), hit);
-    Pixel pixel = shade(scene_of(job), hit);
+    Pixel pixel;
+    if (is_hit(hit)) {
+        pixel = shaded(job, hit);
+    } else {
+        pixel = missed(scene_of(job), hit);
+    }
     place = place_of(job, thread);
     put_pixel(job, place.at, place.pixels, pixel);
 }

@@ -194,39 +194,60 @@ FN_CALLED Occlusion occlusion(Scene scene, vec3 p, vec3 n, real t, mask on)
     return found;
 }
 
-// Returns the colour of a hit at p with the unit normal n and the openness `found`.
-FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Occlusion found, mask on)
+// The light at a hit, and the air in front of it.
+struct Lighting {
+    vec3 light;   // from all directions, in front of the surface
+    real glint;   // weight of the sun's reflection
+    vec3 behind;  // colour of the haze
+    real air;     // share of the haze
+};
+
+// Returns the light at a hit with the unit normal n and the openness `found`.
+FN Lighting lighting(Scene scene, vec3 direction, vec3 n, real t, Occlusion found)
 {
-    // The following values are computed before the loop of the orbit trap, so that few registers are live during the
-    // loop.
     vec3 sun = splat(scene.sun);
     real facing = saturated(-dot3(n, direction));
     real key = saturated(R(0.08) + R(0.92) * dot3(n, sun)) * found.sunwards;
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
+    Lighting at;
     // Adds light from the sky, the ground and the sun, and a little from the camera.
-    vec3 light = times(shelter * (R(0.55) + R(0.45) * n.y), sky_light(scene));
-    light = along(light, ground_light(scene), shelter * (R(0.5) - R(0.5) * n.y));
-    light = along(light, sun_light(scene), key);
-    light = along(light, camera_light(scene), shelter * facing);
+    at.light = times(shelter * (R(0.55) + R(0.45) * n.y), sky_light(scene));
+    at.light = along(at.light, ground_light(scene), shelter * (R(0.5) - R(0.5) * n.y));
+    at.light = along(at.light, sun_light(scene), key);
+    at.light = along(at.light, camera_light(scene), shelter * facing);
     // Adds a lamp at the camera: its light decreases with the distance, and surfaces at grazing angles stay dark.
     real hazed = haze(t);
     real fall = quotient(1 - hazed, 1 + 5 * hazed);
-    light = along(light, lamp(scene), shelter * (R(0.15) + facing * facing) * fall);
-    light = along(light, fill_light(scene), shelter);
-    // A glint, where the normal is close to the direction halfway between the sun and the camera.
+    at.light = along(at.light, lamp(scene), shelter * (R(0.15) + facing * facing) * fall);
+    at.light = along(at.light, fill_light(scene), shelter);
+    // The glint is where the normal is close to the direction halfway between the sun and the camera.
     real glint = saturated(dot3(n, unit(minus(sun, direction))));
     glint = glint * glint;
     glint = glint * glint;
-    glint = glint * glint * glint * key;
+    at.glint = glint * glint * glint * key;
     // The haze rises faster than haze(), and reaches half its maximum at about half the fractal's size, so that it also
     // shows depth inside the fractal.
     real air = quotient(5 * hazed, 1 + 4 * hazed);
-    air = air * air * haze_share(scene);
-    vec3 behind = sky(scene, direction);
-    vec3 lit_stone = scaled(albedo(scene, orbit_trap(scene, p, on)), light);
-    lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), glint);
+    at.air = air * air * haze_share(scene);
+    at.behind = sky(scene, direction);
+    return at;
+}
+
+// Returns the displayed colour of a hit from its light and its orbit trap.
+FN vec3 look_shown(Scene scene, Lighting at, vec3 trap)
+{
+    vec3 lit_stone = scaled(albedo(scene, trap), at.light);
+    lit_stone = along(lit_stone, vec3(R(0.25), R(0.22), R(0.18)), at.glint);
+    return displayed3(scene, blend(lit_stone, at.behind, at.air));
+}
+
+// Returns the colour of a hit at p with the unit normal n and the openness `found`.
+FN_CALLED Look look(Scene scene, vec3 direction, vec3 p, vec3 n, real t, Occlusion found, mask on)
+{
+    // The light is computed before the loop of the orbit trap, so that few registers are live during the loop.
+    Lighting at = lighting(scene, direction, n, t, found);
     Look result;
-    result.colour = displayed3(scene, blend(lit_stone, behind, air));
+    result.colour = look_shown(scene, at, orbit_trap(scene, p, on));
     // Counts the orbit trap as one more evaluation.
     result.de_calls = tally(found.de_calls, on);
     result.iterations = found.iterations;

@@ -21,7 +21,7 @@ MOST_REGISTERS = {
             ("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
             ("bytes", "float"): 32, ("bytes", "double"): 32},
     "H100": {("cones", "float"): 80, ("cones", "double"): 144,
-             ("march", "float"): 72, ("march", "double"): 96, ("shade", "float"): 96, ("shade", "double"): 144,
+             ("march", "float"): 72, ("march", "double"): 96, ("shade", "float"): 96, ("shade", "double"): 160,
              ("bytes", "float"): 32, ("bytes", "double"): 32},
 }
 
