@@ -159,9 +159,9 @@ test_titles() {
     done
     run 0 render path.json $middle --size 640x180 --stereo --output title.mp4 --title "Inside the Mandelbulb"
     white title.mp4 640 eyes || fail "a title for two eyes"
-    run 2 render path.json $middle --size 640x360 --output none.mp4 --title $'\u5206\u5f62'
+    run 2 render path.json $middle --size 640x360 --output none.mp4 --title $'\xe5\x88\x86\xe5\xbd\xa2'
     says 'lacks .*U\+5206'
-    run 2 render path.json $small --output none.mp4 --title t --authors $'\u674e'
+    run 2 render path.json $small --output none.mp4 --title t --authors $'\xe6\x9d\x8e'
     says '--authors: .*U\+674E'
     run 2 film $small --output none.mp4 --title "$(printf 'm%.0s' {1..3000})"
 }
