@@ -160,8 +160,9 @@ FN void march_pixel(const KernelArguments* job, int thread)
 }
 #endif
 
-// Returns the pixel of a hit, as shade() does. Each stage loads the scene again, so that a number of the look is in a
-// register only where it is used. The structs are not const: g++ 12 would keep const ones in the GPU's memory.
+// Returns the pixel of a hit. The stages are those of shade() in core/kernel/shade.h, but each loads the scene again,
+// so that a number of the look is in a register only where it is used. The structs are not const: g++ 12 would keep
+// const ones in the GPU's memory.
 FN Pixel shaded(const KernelArguments* job, Hit hit)
 {
     ShadingPoint at = shading_point(scene_of(job), hit);
@@ -176,7 +177,7 @@ FN Pixel shaded(const KernelArguments* job, Hit hit)
         Occlusion found = occlusion(scene_of(job), at.p, n, at.t, true);
         Lighting there = lighting(scene_of(job), hit.direction, n, at.t, found);
         pixel.colour = look_shown(scene_of(job), there, orbit_trap(scene_of(job), at.p, true));
-        pixel.de_calls = pixel.de_calls + found.de_calls + 1;
+        pixel.de_calls = pixel.de_calls + found.de_calls + 1;  // the orbit trap counts as one more evaluation
         pixel.iterations = pixel.iterations + found.iterations;
     } else {
         pixel.colour = lit(scene_of(job), hit.direction, n);

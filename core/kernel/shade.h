@@ -120,7 +120,8 @@ FN Pixel missed(Scene scene, Hit hit)
 
 // Returns the normal of a hit at distance t. If the eye is inside the solid (t = 0), the hit is not on the surface; in
 // canonical pictures its normal is then the direction towards the eye. shade_with() calls this function in both of its
-// branches, because a single call before the branches would cost three registers on the K40.
+// branches: a single call before the branches cost three registers on the K40, when its kernels still used
+// shade_with().
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));
