@@ -182,12 +182,14 @@ def four_rows(results, name):
 
 
 def aloud(results, name):
-    """Sentence with the values of the last row of four_rows()."""
+    """The last row of four_rows(), without its last two columns, and sentences with its values."""
     row = row_of(results, name, "box", "float", "fast")
     low, high = interval_ms(row)
     width, height = row.size
     serial = bracketed(row.figures["speed_up"], row.figures["speed_up_interval"], "{:.0f}".format)
     return "\n".join([
+        table(ROW_HEAD[:-2], [row_cells(results, name, row)[:-2]]),
+        "",
         f"In words: in fast mode and float `openmp` draws the Mandelbox at {width} x {height} in",
         f"{1e3 * row.kernel.median:.1f} ms, the median of {row.kernel.count} pictures. The true median lies between {low:.1f} and {high:.1f} ms "
         "with 95 %",

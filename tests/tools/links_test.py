@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-LINK = re.compile(r"\[[^\]\n]*\]\(([^)\s]+)\)")
+LINK = re.compile(r"(?:\[[^\]\n]*\]\(|<img src=\")([^)\"\s]+)[)\"]")
 
 
 def pages(root):
@@ -62,8 +62,9 @@ class LinksTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             page = os.path.join(folder, "page.md")
             with open(page, "w", encoding="utf-8") as file:
-                file.write("# The one heading\n[a](page.md) [b](nothing.md) [c](#the-one-heading) [d](page.md#another)\n")
-            self.assertEqual(broken(page), ["nothing.md", "page.md#another"])
+                file.write("# The one heading\n[a](page.md) [b](nothing.md) [c](#the-one-heading) [d](page.md#another)\n"
+                           "<img src=\"nothing.png\" width=\"300\">\n")
+            self.assertEqual(broken(page), ["nothing.md", "page.md#another", "nothing.png"])
 
 
 if __name__ == "__main__":
