@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# A recipe for Spack. Copy it to packages/mandelmarch in a repository of yours, and run in a checkout:
+# A recipe for Spack 1.0 or newer. Run in a checkout:
+#     spack repo create build/spack mandelmarch
+#     install -D -t build/spack/spack_repo/mandelmarch/packages/mandelmarch packaging/spack/package.py
+#     spack repo add build/spack/spack_repo/mandelmarch
 #     spack dev-build mandelmarch@0.1.0
 from spack_repo.builtin.build_systems.cmake import CMakePackage
 
