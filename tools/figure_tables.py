@@ -3,6 +3,7 @@
 takes the results and the arguments that the place gives, and returns the text for the place."""
 import functools
 import re
+import textwrap
 
 from figure_numbers import FRACTALS, bracketed, random_off, ratio_of, row_of, rows_of
 from mandelreport.errors import InputError
@@ -26,12 +27,16 @@ def table(head, rows):
     return "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
 
 
-def measured(results, study):
-    """Machine, date and revision of a study."""
-    e = results.json(study)["environment"]
-    dirty = " with changes that no commit has" if e["git"]["dirty"] else ""
-    return (f"Measured on {e['cpu'].get('platform', e['cpu']['model'])}, {e['cpu']['cores_usable']} threads, on "
-            f"{e['date'][:10]}, at revision {e['git']['revision'][:7]}{dirty}: `{study}.json`.")
+def measured(results, *studies):
+    """Machine, date and revision of studies, one sentence for those that agree."""
+    found = {}
+    for study in studies:
+        e = results.json(study)["environment"]
+        dirty = " with changes that no commit has" if e["git"]["dirty"] else ""
+        where = (f"Measured on {e['cpu'].get('platform', e['cpu']['model'])}, {e['cpu']['cores_usable']} threads, on "
+                 f"{e['date'][:10]}, at revision {e['git']['revision'][:7]}{dirty}:")
+        found.setdefault(where, []).append(f"`{study}.json`")
+    return "\n".join(textwrap.fill(f"{where} {', '.join(files)}.", 120) for where, files in found.items())
 
 
 def lines_of_code(results):
@@ -199,11 +204,6 @@ def aloud(results, name):
     ])
 
 
-def first_lines(results, file, count):
-    """The first lines of a program's output."""
-    return "```text\n" + "\n".join(results.text(file).splitlines()[: int(count)]) + "\n```"
-
-
 def samples(results):
     """Table of the gain from several samples per pixel, measured by make flight-study."""
     found = {}
@@ -236,7 +236,6 @@ TABLES = {
     "ablation": ablation,
     "aloud": aloud,
     "closeups": closeups,
-    "first-lines": first_lines,
     "four-rows": four_rows,
     "growth": growth,
     "instruction-sets": instruction_sets,

@@ -20,6 +20,6 @@ def section(material: Material) -> dict[str, Any]:
         "times": chapter("docs/openacc.md", "Times"),
         "k40_text": chapter("docs/openacc.md", "Checks without a K40 or an H100"),
         "k40": Output(material.results.k40) if material.results.k40 else Missing("The K40's registers", "make k40"),
-        "machines": chapter("docs/flight.md", "Many machines"),
-        "film": chapter("docs/flight.md", "From the path to the film"),
+        "machines": chapter("docs/film.md", "Many machines"),
+        "film": chapter("docs/film.md", "From the path to the film"),
     }
