@@ -75,8 +75,8 @@ void show_overlay(const Model& model, const Panes& panes, const SDL_Rect& area, 
     }
     Column column{static_cast<float>(area.x), ImGui::GetIO().DisplaySize.y, static_cast<float>(area.w)};
     if (model.settings.statistics) {
-        column.add(fmt::format("DE {:.3g} at the eye, {:.0f} frames per second, F1 help", clearance,
-                               static_cast<double>(ImGui::GetIO().Framerate)),
+        column.add(fmt::format("W A S D fly, drag to turn, F1 help; distance {:.3g}, {:.0f} frames per second",
+                               clearance, static_cast<double>(ImGui::GetIO().Framerate)),
                    text_colour, true);
     }
     column.add(model.said(), text_colour, true);

@@ -124,12 +124,10 @@ void scene_items(Model& model)
 
 void flight_items(Motion& motion)
 {
-    const double slow = -4;
-    const double fast = 4;
-    double power = std::log2(motion.speed);
-    if (ImGui::SliderScalar("speed", ImGuiDataType_Double, &power, &slow, &fast, "2^%.2f DE/s")) {
-        motion.speed = std::exp2(power);
-    }
+    const double slow = 1.0 / 16;
+    const double fast = 16;
+    ImGui::SliderScalar("speed", ImGuiDataType_Double, &motion.speed, &slow, &fast, "%.2f distances/s",
+                        ImGuiSliderFlags_Logarithmic);
     ImGui::Checkbox("walls stop the flight", &motion.collides);
 }
 
@@ -240,7 +238,7 @@ void show_panel(Model& model, Desktop& desktop, const std::deque<float>& interva
     ImGui::Begin("panel", nullptr,
                  (ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushItemWidth(ImGui::GetWindowWidth() * 0.55F);
-    ImGui::TextDisabled("F1 help, F2 hides this, Esc in and out");
+    ImGui::TextDisabled("F1 help, F2 hides this, Esc: keys work here");
     if (ImGui::CollapsingHeader("backend and mode", ImGuiTreeNodeFlags_DefaultOpen)) setup_items(model);
     if (ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen)) {
         scene_items(model);
