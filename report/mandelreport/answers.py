@@ -161,10 +161,12 @@ class Answers:
         def work(bench: Bench, row: Row) -> Markup:
             return work_over(bench, "/".join([*row.kind, self.backends.host, "0", SCALAR]), row.name)
 
+        factors = [work(*one) for one in scalar if one]
         return {
             "serial": [number(keys[0], *one) for one in serial if one],
             "scalar": [number(keys[1], *one) for one in scalar if one],
-            "work": [work(*one) for one in scalar if one],
+            # Empty if no factor shows in the printed digits.
+            "work": factors if any(factor.striptags() != "1.00" for factor in factors) else [],
         }
 
     def box_or_bulb(self) -> dict[str, Any] | None:

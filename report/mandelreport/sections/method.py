@@ -64,9 +64,9 @@ def section(material: Material) -> dict[str, Any]:
                 material.letter(bench.name),
                 bench.name,
                 bench.machine,
-                bench.size,
+                bench.size.replace(" x ", "\N{NO-BREAK SPACE}x\N{NO-BREAK SPACE}"),
                 str(bench.data["runs"]),
-                instructions(bench, material.backends.host),
+                instructions(bench, material.backends.host).replace("-", "\N{NON-BREAKING HYPHEN}"),
                 git["revision"][:7] + (" and changes" if git["dirty"] and git["revision"] != "unknown" else ""),
             ]
         )
