@@ -100,6 +100,14 @@ def absent_of(rows: list[dict[str, Any]]) -> dict[str, list[str]]:
     return {reason: list(backends) for reason, backends in absent.items()}
 
 
+def answer_of(rows: list[dict[str, Any]]) -> dict[str, Any] | None:
+    """Returns the rows of a fractal whose pictures in double and exact mode have the bits of the scalar kernel, and the
+    fastest of them; None if there are none."""
+    exact = [row for row in rows if (row["precision"], row["mode"]) == ("double", "exact") and row["simd_width"] != 1]
+    same = [row for row in exact if row["said"].endswith("same bits")]
+    return {"same": same, "fastest": min(same, key=lambda row: row["wall_seconds"])} if same else None
+
+
 def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
     result = []
     for name in dict.fromkeys(row["fractal"] for row in table["rows"]):
@@ -132,6 +140,7 @@ def page(folder: Path, programs: Path) -> str:
         table=table,
         fractals=fractals_of(folder, table),
         absent=absent_of(table["rows"]),
+        answer=answer_of([row for row in table["rows"] if row["fractal"] == table["rows"][0]["fractal"]]),
         still=optional("image/jpeg", "still.jpg"),
         film=optional("video/mp4", "film.mp4"),
         s=viewer.material(programs / "render", folder / "shaders", "make demo"),

@@ -35,6 +35,7 @@ for (const box of document.querySelectorAll(".compare")) {
         }
         [canvas.width, canvas.height] = [map.width, map.height];
         canvas.getContext("2d").putImageData(map, 0, 0);
+        canvas.hidden = differing === 0;
         const [some, all, seen] = [differing, map.width * map.height, visible].map((count) => count.toLocaleString("en"));
         said.textContent = `${some} of ${all} pixels differ` +
             (differing === 0 ? ": the same bytes." : `, ${seen} by more than 2/255, at most ${largest}/255.`);

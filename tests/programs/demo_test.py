@@ -108,6 +108,22 @@ class DemoTest(unittest.TestCase):
         self.assertNotIn(-1, places)
         self.assertEqual(places, sorted(places))
 
+    def test_its_head_counts_backends_with_the_same_bits(self):
+        def spoil(table):
+            row = next(row for row in table["rows"] if row["backend"] == "openmp" and row["simd_width"] != 1)
+            row.update(said="OTHER BITS", fine=False, wall_seconds=0)
+
+        counts = []
+        for change in (lambda table: None, spoil):
+            done, text = self.page_of(change)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            head = re.search(r"(\d+) backends gave the same bits\s+\((.*?)\)", text)
+            self.assertEqual(int(head[1]), len(head[2].split(", ")))
+            counts.append(int(head[1]))
+            self.assertIn("times as fast as the serial reference", text)
+        self.assertGreater(counts[0], 1)
+        self.assertEqual(counts[1], counts[0] - 1)
+
     def test_without_a_still_and_a_film_it_says_so(self):
         done, text = self.page_of(lambda table: None)
         self.assertEqual(done.returncode, 0, done.stderr)
