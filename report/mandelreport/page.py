@@ -2,6 +2,7 @@
 """Combines sections and templates into one HTML page."""
 
 import importlib
+from collections.abc import Collection
 from typing import Any
 
 from . import sections, viewer
@@ -53,7 +54,7 @@ def front_page(material: Material) -> str:
     return _filled("front.html.j2", Numbers(), s=front.section(material))
 
 
-def sections_of(material: Material, names: list[str]) -> str:
+def sections_of(material: Material, names: Collection[str]) -> str:
     """Returns only the sections `names` of the main part."""
     contents = _contents(material, [entry for entry in MAIN if entry[0] in names])
     numbers = Numbers()

@@ -10,9 +10,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import jsonschema
+import jsonschema_rs
 from markupsafe import Markup
-from referencing import Registry, Resource
 
 from .backends import Backends
 from .bench import Bench, Row
@@ -28,19 +27,19 @@ VERSION = 2
 
 
 @functools.cache
-def _validator(kind: str) -> jsonschema.Draft202012Validator:
+def _validator(kind: str) -> jsonschema_rs.Draft202012Validator:
     schemas = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in SCHEMAS.glob("*.schema.json")}
-    registry: Registry = Registry().with_resources((s["$id"], Resource.from_contents(s)) for s in schemas.values())
-    return jsonschema.Draft202012Validator(schemas[f"{kind}.schema.json"], registry=registry)
+    registry = jsonschema_rs.Registry([(schema["$id"], schema) for schema in schemas.values()])
+    return jsonschema_rs.Draft202012Validator(schemas[f"{kind}.schema.json"], registry=registry)
 
 
 def checked(name: str, data: Any, kind: str) -> Any:
     """Returns `data`, the content of a file from bench, if it follows the schema of `kind`. Otherwise raises InputError
     with one line."""
     errors = _validator(kind).iter_errors(data)
-    error = next(iter(sorted(errors, key=lambda e: [str(step) for step in e.path])), None)
+    error = min(errors, key=lambda e: [str(step) for step in e.instance_path], default=None)
     if error is not None:
-        place = "/".join(map(str, error.absolute_path)) or "its top level"
+        place = "/".join(map(str, error.instance_path)) or "its top level"
         raise InputError(f"{name}: does not follow bench/schemas/{kind}.schema.json: {place}: {error.message[:160]}")
     return data
 

@@ -116,7 +116,7 @@ struct Figure {
 
 using Choose = std::function<Count(const Scene& scene)>;
 
-// Returns the quantities of exact pictures in double: five views of each of two fractals. `sample` counts the
+// Returns the quantities of exact pictures in double: three views of each of two fractals. `sample` counts the
 // operations of the pixels that it chooses.
 std::vector<Figure> sampled_figures(const Choose& sample)
 {
@@ -125,7 +125,7 @@ std::vector<Figure> sampled_figures(const Choose& sample)
     };
     std::vector<Figure> figures;
     for (const char* fractal : {"bulb", "box"}) {
-        for (const char* name : {"official", "near", "far", "coarse", "close"}) {
+        for (const char* name : {"official", "far", "close"}) {
             const std::vector<View> views = views_of(fractal, 272, 272);
             const Scene& scene = std::ranges::find(views, name, &View::name)->scene;
             const Count part = sample(scene);

@@ -306,6 +306,7 @@ def machine(data: dict[str, Any]) -> str:
     return f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads"
 
 
+@functools.cache
 def names(folder: Path) -> list[str]:
     """Returns the names on the page that contain digits: names of machines, files and devices."""
     files = (folder / "bench.json", folder / "xeon" / "targets.json", folder / "ladder.json")
