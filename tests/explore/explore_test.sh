@@ -70,7 +70,7 @@ rest
 tell
 shoot fly.png
 END
-play fly --fractal mandelbulb
+play fly --fractal mandelbulb --size 320x240
 is fly 1 't["panes"][0]["samples"]' 4
 is fly 2 't["eye"][0] < 1.2 and t["view"] > 30' True
 is fly 3 't["eye"][0] > 1.199' True
@@ -91,7 +91,7 @@ tasks
 rest
 tell
 END
-play hand --fractal box --mode exact --precision double
+play hand --fractal box --size 320x240 --mode exact --precision double
 if "$bin/render" picture-001.dat --fractal box --backend openmp --output again.png 2>hand.err; then
     "$bin/imgdiff" picture-001.png again.png >/dev/null || fail "hand: bin/render's picture is another one"
     "$bin/render" picture-001.dat --fractal box --backend openmp --mode fast --output fast.png
@@ -126,7 +126,7 @@ key Space
 wait 10
 tell
 END
-play path --fractal box
+play path --fractal box --size 320x240
 is path 1 't["path"]["frames"] > 60 and t["path"]["rows"]' 4
 is path 1 't["path"]["broken"]' 0
 is path 2 't["path"]["at"]' 30.0
