@@ -3,6 +3,8 @@
 // refill, and at the edges of strips. The tests are skipped if there is no OpenCL device.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "backends/all.h"
 #include "core/image/compare.h"
 #include "tests/scenes.h"
@@ -54,7 +56,7 @@ TEST_P(Opencl, FastVectorsDrawThePictureOfTheScalarKernel)
         Scene scene = official_scene("bulb", width, height);
         scene.detail = -2;  // a coarse tolerance, so that small pictures have neighbours
         const auto [expected, steps] = drawn(openmp, 1, scene);
-        for (const int simd_width : GetParam() == Precision::f64 ? std::pair(2, 8) : std::pair(4, 32)) {
+        for (const int simd_width : GetParam() == Precision::f64 ? std::vector{2, 8} : std::vector{4, 32}) {
             const auto [image, taken] = drawn(opencl, simd_width, scene);
             EXPECT_LE(100 * compare(expected, image).visibly_differing, expected.pixels()) << simd_width;
             EXPECT_NEAR(taken, steps, 0.01 * steps) << simd_width;
