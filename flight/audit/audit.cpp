@@ -172,15 +172,20 @@ private:
         for (std::size_t i = 0; i < places_.size(); i += stride_) seen.frames.push_back(i);
         seen.views.resize(seen.frames.size());
         parallel(seen.frames.size(), 16, runs_.threads(), [&](std::size_t first, std::size_t last) {
-            for (std::size_t v = first; v < last; ++v) {
-                const std::size_t frame = seen.frames[v];
-                seen.views[v] = view_of(runs_.field(frame), path_.frames[frame]);
+            // Consecutive views of the same shape are computed together.
+            for (std::size_t v = first; v < last;) {
+                const DistanceField& field = runs_.field(seen.frames[v]);
+                const auto to = seen.views.begin() + static_cast<std::ptrdiff_t>(v);
+                std::vector<Frame> frames;
+                for (; v < last && &runs_.field(seen.frames[v]) == &field; ++v)
+                    frames.push_back(path_.frames[seen.frames[v]]);
+                std::ranges::copy(views_of(field, frames), to);
             }
         });
-        add(motion_row(path_, seen));
-        for (Row& row : dull_rows(seen, clearances_, stride_)) add(std::move(row));
+        add(motion_row(path_, seen, runs_.threads()));
+        for (Row& row : dull_rows(seen, clearances_, stride_, runs_.threads())) add(std::move(row));
         for (Row& row : subject_rows(seen, stride_)) add(std::move(row));
-        again(repeated_views(seen));
+        again(repeated_views(seen, runs_.threads()));
     }
 
     void again(const std::vector<Repeated>& views)

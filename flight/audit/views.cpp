@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/quantile.h"
+#include "flight/field/threads.h"
 
 namespace mandelmarch {
 namespace {
@@ -105,22 +106,27 @@ Dullness DepthView::dullness(double clearance) const
     return at(0.975) < one_depth * at(0.025) ? Dullness::one_depth : Dullness::lively;
 }
 
-DepthView view_of(const DistanceField& field, const Frame& frame)
+std::vector<DepthView> views_of(const DistanceField& field, std::span<const Frame> frames)
 {
-    const Camera camera = camera_at(frame);
-    const std::vector<Vector> from(view_pixels, frame.eye);
+    std::vector<Vector> from;
     std::vector<Vector> along;
-    along.reserve(view_pixels);
-    for (int k = 0; k < view_pixels; ++k) along.push_back(direction_of(camera, k));
-    std::vector<double> t(view_pixels);
+    for (const Frame& frame : frames) {
+        const Camera camera = camera_at(frame);
+        from.insert(from.end(), view_pixels, frame.eye);
+        for (int k = 0; k < view_pixels; ++k) along.push_back(direction_of(camera, k));
+    }
+    std::vector<double> t(from.size());
     const double end = far * field.bounds().size;
     field.casts(from, along, {.floor = 0, .tolerance = coarse, .end = end, .steps = 90}, t);
-    DepthView view;
-    std::ranges::transform(t, view.depth.begin(), [end](double depth) {
-        return depth < end ? static_cast<float>(depth) : std::numeric_limits<float>::infinity();
-    });
-    return view;
+    std::vector<DepthView> views(frames.size());
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        views[i / view_pixels].depth[i % view_pixels] =
+            t[i] < end ? static_cast<float>(t[i]) : std::numeric_limits<float>::infinity();
+    }
+    return views;
 }
+
+DepthView view_of(const DistanceField& field, const Frame& frame) { return views_of(field, {&frame, 1}).front(); }
 
 double median_motion(std::span<const Vector> along, std::span<const float> depths, const Frame& from, const Frame& to)
 {
@@ -193,14 +199,17 @@ double likeness(const LogDepths& a, const LogDepths& b)
     return scale > 0 ? std::max(same, mirrored) / scale : a.squares == b.squares ? 1 : 0;
 }
 
-Row motion_row(const Path& path, const Seen& seen)
+Row motion_row(const Path& path, const Seen& seen, int threads)
 {
-    std::vector<double> moved;
-    for (std::size_t v = 0; v < seen.views.size(); ++v) {
-        const std::size_t frame = seen.frames[v];
-        if (frame + 1 >= path.frames.size()) break;
-        moved.push_back(median_motion(seen.views[v], path.frames[frame], path.frames[frame + 1]));
-    }
+    // The last frame of the path has no motion.
+    const auto known = std::ranges::lower_bound(seen.frames, path.frames.size() - 1) - seen.frames.begin();
+    std::vector<double> moved(static_cast<std::size_t>(known));
+    parallel(moved.size(), 16, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t v = first; v < last; ++v) {
+            const auto frame = path.frames.begin() + static_cast<std::ptrdiff_t>(seen.frames[v]);
+            moved[v] = median_motion(seen.views[v], frame[0], frame[1]);
+        }
+    });
     if (moved.empty()) moved.push_back(0);
     const double median = upper_median(moved);
     const auto fine = std::ranges::count_if(moved, [&](double m) { return m >= median / 3 && m <= 3 * median; });
@@ -214,11 +223,12 @@ Row motion_row(const Path& path, const Seen& seen)
             fmt::format("median {:.2f} % of the height a frame", 100 * median)};
 }
 
-std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride)
+std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride, int threads)
 {
-    std::vector<Dullness> dullness;
-    for (std::size_t v = 0; v < seen.views.size(); ++v)
-        dullness.push_back(seen.views[v].dullness(clearances[seen.frames[v]]));
+    std::vector<Dullness> dullness(seen.views.size());
+    parallel(dullness.size(), 64, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t v = first; v < last; ++v) dullness[v] = seen.views[v].dullness(clearances[seen.frames[v]]);
+    });
     const auto share = [&](Dullness kind) {
         return 100.0 * static_cast<double>(std::ranges::count(dullness, kind)) / static_cast<double>(dullness.size());
     };
@@ -242,7 +252,7 @@ std::vector<Row> subject_rows(const Seen& seen, std::size_t stride)
                         [&](std::size_t v) { return seen.views[v].middle_hit_share() < shown; })};
 }
 
-std::vector<Repeated> repeated_views(const Seen& seen)
+std::vector<Repeated> repeated_views(const Seen& seen, int threads)
 {
     std::vector<std::size_t> some;  // indices of the compared views
     std::vector<LogDepths> depths;
@@ -253,17 +263,22 @@ std::vector<Repeated> repeated_views(const Seen& seen)
         depths.emplace_back(seen.views[v]);
     }
     const auto frame = [&](std::size_t i) { return seen.frames[some[i]]; };
+    std::vector<std::size_t> later(some.size(), 0);  // for each view: its first repetition; 0: none
+    parallel(some.size(), 16, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            bool other = false;  // a view that differs from view i lies between i and j
+            for (std::size_t j = i + 1; j < some.size() && later[i] == 0 &&
+                                        static_cast<double>(frame(j) - frame(i)) <= minute * seen.frames_per_second;
+                 ++j) {
+                const double like = likeness(depths[i], depths[j]);
+                other = other || like < moved_on;
+                if (other && like > same_view) later[i] = j;
+            }
+        }
+    });
     std::vector<Repeated> repeated;
     for (std::size_t i = 0; i < some.size(); ++i) {
-        bool other = false;  // a view that differs from view i lies between i and j
-        for (std::size_t j = i + 1;
-             j < some.size() && static_cast<double>(frame(j) - frame(i)) <= minute * seen.frames_per_second; ++j) {
-            const double like = likeness(depths[i], depths[j]);
-            other = other || like < moved_on;
-            if (!other || like <= same_view) continue;
-            repeated.push_back({frame(i), frame(j)});
-            break;
-        }
+        if (later[i] > 0) repeated.push_back({frame(i), frame(later[i])});
     }
     return repeated;
 }

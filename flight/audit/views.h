@@ -38,7 +38,8 @@ struct DepthView {
 // Returns the unit vector from the camera through the centre of a view's pixel.
 Vector direction_of(const Camera& camera, int pixel);
 
-// Returns the view of a frame. `field`: the distance field of the frame's shape.
+// Returns the views of frames. `field`: the distance field of the frames' shape.
+std::vector<DepthView> views_of(const DistanceField& field, std::span<const Frame> frames);
 DepthView view_of(const DistanceField& field, const Frame& frame);
 
 // Returns the median motion of pixels between the frames `from` and `to`, in picture heights. `seen`: the view of the
@@ -71,11 +72,11 @@ struct Seen {
     std::vector<DepthView> views;
 };
 
-Row motion_row(const Path& path, const Seen& seen);
+Row motion_row(const Path& path, const Seen& seen, int threads);
 
 // Returns the percentage of dull frames, and the longest time during which all frames are dull. `clearances`: one for
 // each frame of the path; `stride`: frames from one view to the next.
-std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride);
+std::vector<Row> dull_rows(const Seen& seen, std::span<const double> clearances, std::size_t stride, int threads);
 
 // Returns the percentage of frames that mostly show the background, and the longest time in which the fractal is only
 // at the picture's edge.
@@ -88,6 +89,6 @@ struct Repeated {
 };
 
 // Returns the views that are seen again within a minute, each with the first of its repetitions.
-std::vector<Repeated> repeated_views(const Seen& seen);
+std::vector<Repeated> repeated_views(const Seen& seen, int threads);
 
 }  // namespace mandelmarch

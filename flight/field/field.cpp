@@ -44,6 +44,9 @@ std::size_t padded(std::size_t count, int lanes)
     return (count + n - 1) / n * n;
 }
 
+static_assert(sizeof(Vector) == 3 * sizeof(double));
+field::Triples triples(std::span<const Vector> vectors) { return reinterpret_cast<field::Triples>(vectors.data()); }
+
 double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
 // Returns a sphere around the origin that contains the fractal. Rays are cast from far outside towards the origin; the
@@ -133,16 +136,9 @@ void DistanceField::casts(std::span<const Vector> from, std::span<const Vector> 
                           std::span<double> out) const
 {
     parallel(from.size(), 1024, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t at = first; at < last; at += block) {
-            const std::size_t count = std::min(block, last - at);
-            if (budget_ != nullptr && from.size() > block) budget_->check();
-            const std::size_t whole = padded(count, kernel_.lanes);
-            const Block origin(from.subspan(at, count), whole);
-            const Block direction(along.subspan(at, count), whole);
-            std::array<double, block> result;
-            kernel_.casts(data_, origin.points(), direction.points(), reach, whole, result.data());
-            std::copy_n(result.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(at));
-        }
+        if (budget_ != nullptr && from.size() > block) budget_->check();
+        kernel_.casts(data_, triples(from.subspan(first)), triples(along.subspan(first)), reach, last - first,
+                      out.data() + first);
     });
 }
 

@@ -20,6 +20,9 @@ struct Points {
     const double* z;
 };
 
+// Points (or vectors) as x, y and z, one point after another.
+using Triples = const double (*)[3];
+
 // Limits of a ray that has reached the length t. The ray ends if the estimate there is at most floor + tolerance * t,
 // if t is at least `end`, or if the ray has taken `steps` steps.
 struct Reach {
@@ -30,11 +33,11 @@ struct Reach {
 };
 
 struct Kernel {
-    int lanes;  // `count` below must be a multiple of this
-    // Writes the estimate at each point.
+    int lanes;
+    // Writes the estimate at each point. `count` must be a multiple of `lanes`.
     void (*distances)(const layout_f64::Scene& scene, Points points, std::size_t count, double* out);
     // Writes the length of each ray, at most `reach.end`. `along`: unit vectors.
-    void (*casts)(const layout_f64::Scene& scene, Points from, Points along, Reach reach, std::size_t count,
+    void (*casts)(const layout_f64::Scene& scene, Triples from, Triples along, Reach reach, std::size_t count,
                   double* out);
 };
 

@@ -66,6 +66,31 @@ TEST(DistanceField, TheSameBitsOnAnyNumberOfThreads)
     }
 }
 
+// Lanes take new rays while others march. The rays end after different numbers of steps, some of them at the limit.
+TEST(DistanceField, ARayHasTheSameLengthAloneAndAmongOthers)
+{
+    for (const char* name : {"bulb", "box"}) {
+        const DistanceField field(official_scene(name, 16, 9), 1);
+        std::vector<Vector> from;
+        std::vector<Vector> along;
+        for (const Vector& p : places(700)) {
+            from.push_back(4 * p);
+            along.push_back(unit(Vector{0.3, 0.2, 0.1} - p));
+        }
+        const field::Reach reach{.floor = 1e-6, .tolerance = 1e-4, .end = 8, .steps = 20};
+        std::vector<double> together(from.size());
+        field.casts(from, along, reach, together);
+        std::set<double> lengths;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            double alone = 0;
+            field.casts({&from[i], 1}, {&along[i], 1}, reach, {&alone, 1});
+            EXPECT_EQ(together[i], alone) << name << ", ray " << i;
+            lengths.insert(alone);
+        }
+        EXPECT_GT(lengths.size(), 200) << name;
+    }
+}
+
 TEST(DistanceField, TheSameBitsInEveryInstructionSet)
 {
     for (const char* name : {"bulb", "box", "julia"}) {
