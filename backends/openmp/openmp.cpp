@@ -169,7 +169,7 @@ private:
     template <class Real>
     RenderStats render_as(const Scene& scene, Image& image, const Progress& progress)
     {
-        const OwnPlace place;
+        const OwnPlace place(options_.threads);
         const Clock::time_point start = Clock::now();
         const Variant<Real> variant = choose<Real>(scene, !bytes_alone(image, options_));
         BandExecutor<Real> executor(scene, options_, variant, image, memory_, std::get<LatticeBuffers<Real>>(notes_),
@@ -219,8 +219,8 @@ double measured_peak(Precision precision, int threads)
 {
     const PeakKernel kernel =
         precision == Precision::f32 ? peak_kernel_float(instructions()) : peak_kernel_double(instructions());
-    const OwnPlace place;
     const int asked = threads == 0 ? usable_threads() : threads;
+    const OwnPlace place(asked);
     const PeakRun run = [&](int rounds) {
         const auto start = Clock::now();
         double sum = 0;
@@ -248,6 +248,7 @@ public:
                 .threads = true,
                 .simd_width = true,
                 .chunk = true,
+                .concurrent = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override { return std::nullopt; }

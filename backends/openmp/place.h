@@ -12,13 +12,12 @@ namespace mandelmarch::openmp {
 // Binds the calling thread to the cores of its OpenMP place, as OpenMP binds the other threads of its team to theirs.
 // The destructor restores the thread's affinity. This class is needed, because the programs undo OpenMP's binding of
 // their first thread when they start (restore_affinity()), so that this thread's other work and its child processes are
-// not
-// bound.
+// not bound. A team of one thread is not bound: the caller may run several of them on threads of its own.
 class OwnPlace {
 public:
-    OwnPlace()
+    explicit OwnPlace(int team)
     {
-        if (omp_get_num_places() == 0) return;  // OpenMP does not bind threads
+        if (team == 1 || omp_get_num_places() == 0) return;  // OpenMP does not bind threads
         bound_ = sched_getaffinity(0, sizeof before_, &before_) == 0;
         const int place = omp_get_place_num();
         if (place < 0 || !bound_) return;

@@ -109,8 +109,12 @@ std::vector<Cache> read_caches(const std::string& folder)
 
 Cpu host_cpu()
 {
-    std::ifstream file("/proc/cpuinfo");
-    return read_cpuinfo(file);
+    // Read once, because renderers report the processor with every picture.
+    static const Cpu cpu = [] {
+        std::ifstream file("/proc/cpuinfo");
+        return read_cpuinfo(file);
+    }();
+    return cpu;
 }
 
 std::string cpu_name() { return host_cpu().name; }

@@ -195,6 +195,7 @@ struct BackendInfo {
     bool chunk = false;
     bool band = false;
     bool block_size = false;
+    bool concurrent = false;  // renderers with one thread each can render at the same time, on threads of the caller
     std::string_view gpus = "GPU";  // the kind of GPU that an accelerator needs, for messages
     KernelBuild build = {};
 };

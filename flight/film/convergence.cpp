@@ -11,6 +11,7 @@
 #include "core/base/quantile.h"
 #include "core/image/compare.h"
 #include "flight/audit/views.h"
+#include "flight/field/threads.h"
 #include "flight/plan/random.h"
 
 namespace mandelmarch {
@@ -111,9 +112,15 @@ private:
 std::vector<Row> truth_rows(const Path& path, const Backend& backend, const RendererOptions& options,
                             const Picture& picture)
 {
-    const Comparer comparer(path, backend, options, picture);
-    std::vector<double> offs;
-    for (std::size_t frame = 0; frame < path.frames.size(); frame += every) offs.push_back(comparer.off(frame));
+    std::vector<double> offs((path.frames.size() + every - 1) / every);
+    // A patch has too few rays for several threads, so that each thread compares frames of its own.
+    const bool many = backend.info().concurrent;
+    RendererOptions own = options;
+    if (many) own.threads = 1;
+    parallel(offs.size(), 2, many ? options.threads : 1, [&](std::size_t first, std::size_t last) {
+        const Comparer comparer(path, backend, own, picture);
+        for (std::size_t i = first; i < last; ++i) offs[i] = comparer.off(i * every);
+    });
     const auto worst = static_cast<std::size_t>(std::ranges::max_element(offs) - offs.begin());
     const auto row = [](const char* name, double value, double bar, std::optional<std::size_t> frame = {}) {
         return Row{name, value, bar, true, true, "%", frame};
