@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "flight/field/threads.h"
 
 namespace mandelmarch {
 namespace {
@@ -155,53 +159,77 @@ void Balls::cover()
     }
 }
 
+void Balls::find_ways(std::vector<Way>& ways, std::vector<Way>& gaps) const
+{
+    constexpr std::size_t grain = 512;
+    struct Part {
+        std::vector<Way> ways, gaps;
+    };
+    std::vector<Part> parts(balls_.size() / grain + 1);
+    const double safety = field_.safety();
+    parallel(balls_.size(), grain, field_.threads(), [&](std::size_t first, std::size_t last) {
+        Part& part = parts[first / grain];
+        std::vector<std::int32_t> near;
+        for (std::size_t i = first; i < last; ++i) {
+            const Ball& a = balls_[i];
+            near.clear();
+            each_cell_near(a.centre, std::max(1.4 * safety * a.clearance, 1.8 * side_), [&](std::size_t at) {
+                // Each pair is found once, from its larger ball, which has the smaller index.
+                if (owner_[at] > static_cast<std::int32_t>(i) && (near.empty() || near.back() != owner_[at]))
+                    near.push_back(owner_[at]);
+            });
+            std::ranges::sort(near);
+            near.erase(std::unique(near.begin(), near.end()), near.end());
+            for (const auto number : near) {
+                const Ball& b = balls_[static_cast<std::size_t>(number)];
+                const double apart = length(b.centre - a.centre);
+                const Way way{static_cast<int>(i), number, apart, b.clearance};
+                if (apart < overlap * safety * (a.clearance + b.clearance)) {
+                    part.ways.push_back(way);
+                } else if (apart < 2 * safety * (a.clearance + b.clearance)) {
+                    part.gaps.push_back(way);
+                }
+            }
+        }
+    });
+    for (const Part& part : parts) {
+        ways.insert(ways.end(), part.ways.begin(), part.ways.end());
+        gaps.insert(gaps.end(), part.gaps.begin(), part.gaps.end());
+    }
+}
+
 // Links pairs of balls that overlap, and pairs for which a ball at the midpoint of their centres would overlap both.
 void Balls::link()
 {
-    links_.resize(balls_.size());
-    struct Gap {
-        int a, b;
-        Vector middle;
-    };
-    std::vector<Gap> gaps;
-    std::vector<std::int32_t> near;
-    const double safety = field_.safety();
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
-        const Ball& a = balls_[i];
-        near.clear();
-        each_cell_near(a.centre, std::max(1.4 * safety * a.clearance, 1.8 * side_), [&](std::size_t at) {
-            // Each pair is found once, from its larger ball, which has the smaller index.
-            if (owner_[at] > static_cast<std::int32_t>(i) && (near.empty() || near.back() != owner_[at]))
-                near.push_back(owner_[at]);
-        });
-        std::ranges::sort(near);
-        near.erase(std::unique(near.begin(), near.end()), near.end());
-        for (const auto number : near) {
-            const Ball& b = balls_[static_cast<std::size_t>(number)];
-            const double apart = length(b.centre - a.centre);
-            const int from = static_cast<int>(i);
-            if (apart < overlap * safety * (a.clearance + b.clearance)) {
-                links_[i].push_back({number, apart, b.clearance});
-                links_[static_cast<std::size_t>(number)].push_back({from, apart, b.clearance});
-            } else if (apart < 2 * safety * (a.clearance + b.clearance)) {
-                gaps.push_back({from, number, 0.5 * (a.centre + b.centre)});
-            }
-        }
-    }
+    std::vector<Way> ways;
+    std::vector<Way> gaps;
+    find_ways(ways, gaps);
+    const auto ball = [this](int number) -> const Ball& { return balls_[static_cast<std::size_t>(number)]; };
     std::vector<Vector> middles;
     middles.reserve(gaps.size());
-    for (const Gap& gap : gaps) middles.push_back(gap.middle);
+    for (const Way& gap : gaps) middles.push_back(0.5 * (ball(gap.a).centre + ball(gap.b).centre));
     std::vector<double> clear(middles.size());
     field_.distances(middles, clear);
     for (std::size_t i = 0; i < gaps.size(); ++i) {
-        const auto [from, to, middle] = gaps[i];
-        const Ball& a = balls_[static_cast<std::size_t>(from)];
-        const Ball& b = balls_[static_cast<std::size_t>(to)];
-        const double apart = length(b.centre - a.centre);
-        if (clear[i] < least_ || apart / 2 >= overlap * safety * (clear[i] + b.clearance)) continue;
-        const double least = std::min(clear[i], b.clearance);
-        links_[static_cast<std::size_t>(from)].push_back({to, apart, least});
-        links_[static_cast<std::size_t>(to)].push_back({from, apart, least});
+        const auto [a, b, length, least] = gaps[i];
+        if (clear[i] < least_ || length / 2 >= overlap * field_.safety() * (clear[i] + least)) continue;
+        ways.push_back({a, b, length, std::min(clear[i], least)});
+    }
+    // Counts each ball's links, and places them one ball after another.
+    first_link_.assign(balls_.size() + 1, 0);
+    for (const Way& way : ways) {
+        for (const int end : {way.a, way.b}) ++first_link_[static_cast<std::size_t>(end) + 1];
+    }
+    std::partial_sum(first_link_.begin(), first_link_.end(), first_link_.begin());
+    links_.resize(first_link_.back());
+    std::vector<std::size_t> next = first_link_;
+    const double fastest = fastest_clearance(field_.bounds());
+    for (const Way& way : ways) {
+        for (const auto& [from, to] : {std::pair(way.a, way.b), std::pair(way.b, way.a)}) {
+            const double clearance =
+                std::min(0.5 * (std::min(way.clearance, ball(to).clearance) + ball(from).clearance), fastest);
+            links_[next[static_cast<std::size_t>(from)]++] = {to, way.length / clearance};
+        }
     }
 }
 

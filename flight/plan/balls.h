@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "flight/field/field.h"
@@ -16,9 +17,8 @@ struct Ball {
 
 // An edge of the graph: a free way from one ball to another.
 struct Link {
-    int to;            // index of the other ball
-    double length;     // distance of the two centres
-    double clearance;  // the smallest known estimate between the centres
+    int to;        // index of the other ball
+    double steps;  // length of the way in clearances; clearances above fastest_clearance() count as that
 };
 
 class Balls {
@@ -32,7 +32,11 @@ public:
     static constexpr int usual_coarse = 64;
 
     const std::vector<Ball>& balls() const { return balls_; }
-    const std::vector<Link>& links(int ball) const { return links_[static_cast<std::size_t>(ball)]; }
+    std::span<const Link> links(int ball) const
+    {
+        const auto number = static_cast<std::size_t>(ball);
+        return std::span(links_).subspan(first_link_[number], first_link_[number + 1] - first_link_[number]);
+    }
 
     double least() const { return least_; }
 
@@ -63,6 +67,14 @@ private:
 
     void flood();
     void cover();
+    // Two balls, the first of which has the smaller index, and a way between their centres.
+    struct Way {
+        int a, b;
+        double length;
+        double clearance;  // the smallest known estimate on the way
+    };
+    // Finds pairs of balls that overlap, and pairs with a gap that one ball can fill; gaps have no clearance yet.
+    void find_ways(std::vector<Way>& ways, std::vector<Way>& gaps) const;
     void link();
     void keep_outside_component();
 
@@ -73,8 +85,9 @@ private:
     double side_;        // edge of a fine cell
     std::vector<Ball> samples_, narrows_;
     std::vector<Ball> balls_;
-    std::vector<std::vector<Link>> links_;
-    std::vector<std::int32_t> owner_;  // for each fine cell: index of the ball that covers its centre; -1: none
+    std::vector<Link> links_;              // of all balls, one ball after another
+    std::vector<std::size_t> first_link_;  // for each ball: index of its first link; and the number of all links
+    std::vector<std::int32_t> owner_;      // for each fine cell: index of the ball that covers its centre; -1: none
 };
 
 }  // namespace mandelmarch

@@ -187,35 +187,41 @@ Director::Director(const Shapes& shapes, const Curve& track) : threads_(shapes.t
 
 void Director::rate(std::span<const float> depths, double clearance, std::span<float> costs)
 {
-    std::vector<double> logarithms(depths.size());
-    std::ranges::transform(depths, logarithms.begin(),
-                           [](float d) { return std::log(static_cast<double>(d) + 1e-12); });
+    // The terms of the sums below; all are 0 in a direction in which nothing is hit.
+    struct Terms {
+        double logarithm = 0, square = 0;
+        int hit = 0, wall = 0;
+    };
+    std::vector<Terms> terms(depths.size());
     const double wall = std::log(wall_distance * clearance);
+    std::ranges::transform(depths, terms.begin(), [wall](float d) {
+        const double depth = std::log(static_cast<double>(d) + 1e-12);
+        return std::isfinite(depth) ? Terms{depth, depth * depth, 1, depth < wall ? 1 : 0} : Terms{};
+    });
     for (int d = 0; d < directions; ++d) {
         const auto near = sphere().near(d);
         const auto inner = middle(d);
-        double hits = 0;
-        double walls = 0;
-        double middles = 0;
-        double middle_hits = 0;
+        int hits = 0;
+        int walls = 0;
+        int middles = 0;
+        int middle_hits = 0;
         double sum = 0;
         double squares = 0;
         for (std::size_t i = 0; i < near.size(); ++i) {
-            const double depth = logarithms[static_cast<std::size_t>(near[i])];
-            const bool hit = std::isfinite(depth);
+            const Terms& at = terms[static_cast<std::size_t>(near[i])];
             middles += inner[i];
-            middle_hits += hit ? inner[i] : 0;
-            if (!hit) continue;
-            hits += 1;
-            walls += depth < wall ? 1 : 0;
-            sum += depth;
-            squares += depth * depth;
+            middle_hits += at.hit * inner[i];
+            hits += at.hit;
+            walls += at.wall;
+            sum += at.logarithm;
+            squares += at.square;
         }
         const auto count = static_cast<double>(near.size());
-        const double mean = sum / std::max(hits, 1.0);
-        const double spread = std::sqrt(std::max(squares / std::max(hits, 1.0) - mean * mean, 0.0));
+        const double every = std::max(hits, 1);
+        const double mean = sum / every;
+        const double spread = std::sqrt(std::max(squares / every - mean * mean, 0.0));
         const double cost = 2 * lack(hits / count, enough_hits, few_hits) +
-                            lack(middle_hits / middles, enough_middle, 0) +
+                            lack(static_cast<double>(middle_hits) / middles, enough_middle, 0) +
                             1.5 * lack(-walls / count, -much_wall, -0.95) + 0.7 * lack(spread, enough_depths, 0);
         costs[static_cast<std::size_t>(d)] = static_cast<float>(cost);
     }
@@ -291,16 +297,17 @@ std::vector<Vector> Director::gaze(const Trajectory& ride, int frames, std::span
     std::vector<double> best(costs.begin(), costs.begin() + directions);
     std::vector<std::vector<int>> before(slots, std::vector<int>(directions, -1));
     for (std::size_t slot = 1; slot < slots; ++slot) {
-        std::vector<double> now(directions, std::numeric_limits<double>::infinity());
+        std::vector<double> now(directions);
         for (std::size_t n = 0; n < directions; ++n) {
+            double least = std::numeric_limits<double>::infinity();
+            int from = -1;
             for (const Turn& turn : turns()[n]) {
                 const double sum = best[static_cast<std::size_t>(turn.from)] + turn.cost;
-                if (sum < now[n]) {
-                    now[n] = sum;
-                    before[slot][n] = turn.from;
-                }
+                from = sum < least ? turn.from : from;
+                least = std::min(least, sum);
             }
-            now[n] += costs[slot * directions + n];
+            now[n] = least + costs[slot * directions + n];
+            before[slot][n] = from;
         }
         best = std::move(now);
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -41,20 +42,17 @@ Search::Search(std::span<const RoadmapSpan> stretches, double frames_a_clearance
         offsets_.push_back(entries_.size());
         entries_.resize(entries_.size() + roads.balls.balls().size());
         int kinds = 0;
+        for (const Ball& ball : roads.balls.balls()) places_.push_back({!roads.field.bounds().contains(ball.centre)});
         for (std::size_t g = 0; g < roads.gates.size(); ++g) {
             for (std::size_t side = 0; side < 2; ++side) {
-                entries_[offsets_.back() + static_cast<std::size_t>(roads.gates[g].balls[side])].push_back(
-                    static_cast<int>(2 * g + side));
+                const std::size_t b = offsets_.back() + static_cast<std::size_t>(roads.gates[g].balls[side]);
+                entries_[b].push_back(static_cast<int>(2 * g + side));
+                places_[b].entry = true;
             }
             kinds = std::max(kinds, roads.gates[g].kind + 1);
         }
         flown_.emplace_back(static_cast<std::size_t>(kinds), 0);
     }
-    seen_.assign(entries_.size(), 0);
-    cost_.assign(entries_.size(), 0);
-    clock_.assign(entries_.size(), 0);
-    before_.assign(entries_.size(), {});
-    round_.assign(entries_.size(), -1);
 }
 
 bool Search::is_free(int stretch, Vector from, Vector to) const
@@ -86,27 +84,20 @@ Node Search::near(int stretch, Vector place) const
 
 void Search::relax(Queue& queue, Node node, double cost, double clock, Node before)
 {
-    const std::size_t b = index(node);
-    if (round_[b] == turn_ && cost_[b] <= cost) return;
-    round_[b] = turn_;
-    cost_[b] = cost;
-    clock_[b] = clock;
-    before_[b] = before;
+    Place& place = places_[index(node)];
+    if (place.round == turn_ && place.cost <= cost) return;
+    place.round = turn_;
+    place.cost = cost;
+    place.clock = clock;
+    place.before = before;
     queue.emplace(cost, std::pair{node.stretch, node.ball});
-}
-
-double Search::steps(Node node, const Link& link) const
-{
-    const double clearance =
-        std::min(0.5 * (std::min(link.clearance, ball({node.stretch, link.to}).clearance) + ball(node).clearance),
-                 fastest_clearance(field(node.stretch).bounds()));
-    return link.length / clearance;
 }
 
 double Search::with_penalties(double steps, Node to) const
 {
-    if (!field(to.stretch).bounds().contains(ball(to).centre)) steps *= outside_penalty;
-    if (seen_[index(to)] != 0) steps *= seen_penalty;
+    const Place& place = places_[index(to)];
+    if (place.outside) steps *= outside_penalty;
+    if (place.seen) steps *= seen_penalty;
     return steps;
 }
 
@@ -119,11 +110,11 @@ bool Search::find(Node from, Node to)
         const auto [cost, name] = queue.top();
         queue.pop();
         const Node node{name.first, name.second};
-        if (cost > cost_[index(node)]) continue;
+        if (cost > places_[index(node)].cost) continue;
         if (node.ball == to.ball) return true;
         for (const Link& link : roads(node.stretch).balls.links(node.ball)) {
             const Node next{node.stretch, link.to};
-            relax(queue, next, cost + with_penalties(steps(node, link), next), 0, node);
+            relax(queue, next, cost + with_penalties(link.steps, next), 0, node);
         }
     }
     return false;
@@ -138,24 +129,25 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
     stroll_ = {};
     double best_cost = std::numeric_limits<double>::infinity();
     int found = 0;
-    while (!queue.empty() && found < choices) {
+    const int most = std::min(choices, left());
+    while (!queue.empty() && found < most) {
         const auto [cost, name] = queue.top();
         queue.pop();
         const Node node{name.first, name.second};
         const std::size_t b = index(node);
-        if (cost > cost_[b]) continue;
+        const Place& place = places_[b];
+        if (cost > place.cost) continue;
         if (cost > gate_reach) break;
-        const double way = frames_a_clearance_ > 0 ? (clock_[b] - clock) / frames_a_clearance_ : 0;
+        const double way = frames_a_clearance_ > 0 ? (place.clock - clock) / frames_a_clearance_ : 0;
         if (way > changing_reach) continue;
         const Roadmap& here = roads(node.stretch);
-        const Bounds& bounds = here.field.bounds();
-        if (clock_[b] > stretch(node.stretch).until) {
+        if (place.clock > stretch(node.stretch).until) {
             const Node on{node.stretch + 1, roads(node.stretch + 1).balls.holding(ball(node).centre)};
-            if (on.ball >= 0) relax(queue, on, cost, clock_[b], node);
+            if (on.ball >= 0) relax(queue, on, cost, place.clock, node);
             continue;
         }
-        if (way > stroll_reach / 4 && way < stroll_reach && bounds.contains(ball(node).centre)) stroll_ = node;
-        for (const int entry : entries_[b]) {
+        if (way > stroll_reach / 4 && way < stroll_reach && !place.outside) stroll_ = node;
+        for (const int entry : place.entry ? std::span<const int>(entries_[b]) : std::span<const int>()) {
             const Gate& gate = here.gates[static_cast<std::size_t>(entry) / 2];
             if (flown_[static_cast<std::size_t>(node.stretch)][static_cast<std::size_t>(gate.kind)] != 0) continue;
             ++found;
@@ -166,13 +158,27 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
                 best = {node.stretch, entry};
             }
         }
-        for (const Link& link : here.balls.links(node.ball)) {
+        // The search waits for memory less if the balls of all links are fetched at once.
+        const auto links = here.balls.links(node.ball);
+        for (const Link& link : links) __builtin_prefetch(&places_[index({node.stretch, link.to})]);
+        if (!queue.empty() && queue.top().second.first == node.stretch) {
+            __builtin_prefetch(here.balls.links(queue.top().second.second).data());
+        }
+        for (const Link& link : links) {
             const Node to{node.stretch, link.to};
-            const double step = steps(node, link);
-            relax(queue, to, cost + with_penalties(step, to), clock_[b] + step * frames_a_clearance_, node);
+            relax(queue, to, cost + with_penalties(link.steps, to), place.clock + link.steps * frames_a_clearance_,
+                  node);
         }
     }
     return best;
+}
+
+int Search::left() const
+{
+    if (frames_a_clearance_ > 0) return choices;
+    const auto flown = [this](const Gate& gate) { return flown_[0][static_cast<std::size_t>(gate.kind)] != 0; };
+    const auto& gates = roads(0).gates;
+    return 2 * static_cast<int>(std::ranges::count_if(gates, std::not_fn(flown)));
 }
 
 double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) const
@@ -193,7 +199,7 @@ double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) c
 std::vector<Node> Search::leg_to(Node node) const
 {
     std::vector<Node> leg;
-    for (Node at = node; at.ball >= 0; at = before_[index(at)]) leg.push_back(at);
+    for (Node at = node; at.ball >= 0; at = places_[index(at)].before) leg.push_back(at);
     std::ranges::reverse(leg);
     return leg;
 }
@@ -204,8 +210,8 @@ void Search::see(Node node)
         const Node there =
             stretch == node.stretch ? node : Node{stretch, roads(stretch).balls.holding(ball(node).centre)};
         if (there.ball < 0) continue;
-        seen_[index(there)] = 1;
-        for (const Link& link : roads(stretch).balls.links(there.ball)) seen_[index({stretch, link.to})] = 1;
+        places_[index(there)].seen = true;
+        for (const Link& link : roads(stretch).balls.links(there.ball)) places_[index({stretch, link.to})].seen = true;
     }
 }
 
@@ -227,7 +233,7 @@ void Search::mark_flown(Entry entry)
 void Search::forget()
 {
     for (auto& kinds : flown_) std::ranges::fill(kinds, 0);
-    std::ranges::fill(seen_, 0);
+    for (Place& place : places_) place.seen = false;
 }
 
 }  // namespace mandelmarch

@@ -55,8 +55,8 @@ public:
     // - cost() and clock(): the cost of that way in clearances, and the shape time at the node.
     Node stroll() const { return stroll_; }
     std::vector<Node> leg_to(Node node) const;
-    double cost(Node node) const { return cost_[index(node)]; }
-    double clock(Node node) const { return clock_[index(node)]; }
+    double cost(Node node) const { return places_[index(node)].cost; }
+    double clock(Node node) const { return places_[index(node)].clock; }
 
     // Returns the cost, in clearances, of the turns at both ends of the leg to a gate: from the tour so far (`done`)
     // into the leg, and from the leg into the gate.
@@ -83,9 +83,10 @@ private:
 
     // Sets the labels of a ball and queues it, unless this search has found a way of at most the same cost.
     void relax(Queue& queue, Node node, double cost, double clock, Node before);
-    // Returns the length in clearances of a link from the ball `node`. with_penalties() returns its cost; `to`: the
-    // link's other ball.
-    double steps(Node node, const Link& link) const;
+    // Returns the number of entries after which next() ends: `choices` or, if the shape does not change, the number of
+    // entries of gates that are not flown, if it is smaller. A search without this limit would find the same entries.
+    int left() const;
+    // Returns the cost of a link to the ball `to`, from its length in clearances.
     double with_penalties(double steps, Node to) const;
 
     std::size_t index(Node node) const
@@ -96,12 +97,18 @@ private:
     std::span<const RoadmapSpan> stretches_;
     double frames_a_clearance_;
     std::vector<std::size_t> offsets_;      // for each stretch: index of its first ball in the vectors of all balls
-    std::vector<char> seen_;                // for each ball: marked by see()
     std::vector<std::vector<char>> flown_;  // for each stretch and kind of gate: marked by mark_flown()
-    // Dijkstra's labels for each ball. They belong to the last search if the ball's round_ equals turn_.
-    std::vector<double> cost_, clock_;
-    std::vector<Node> before_;
-    std::vector<int> round_;
+    // A ball and Dijkstra's labels for it. They are stored together, because the search visits the balls in no order
+    // and waits for memory.
+    struct alignas(32) Place {
+        bool outside;        // of the bounds
+        bool entry = false;  // entries of gates begin in it
+        bool seen = false;   // marked by see()
+        int round = -1;      // the labels belong to the last search if this equals turn_
+        double cost = 0, clock = 0;
+        Node before = {};
+    };
+    std::vector<Place> places_;
     int turn_ = 0;
     std::vector<std::vector<int>> entries_;  // for each ball: the entries of gates that begin in it, see Entry::number
     Node stroll_;
