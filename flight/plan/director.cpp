@@ -269,6 +269,7 @@ std::vector<double> Director::slot_costs(const Trajectory& ride, std::span<const
                                           off_motion * square(angle_of_units(direction, soon) / most_aside) +
                                           too_far_off * std::max(0.0, off / most_aside - 1);
             }
+            if (stop != nullptr) continue;
             std::vector<Avoided> near;
             std::ranges::copy_if(avoided, std::back_inserter(near), [&](const Avoided& view) {
                 return view.frame <= frames[slot] + avoided_time && frames[slot] <= view.frame + avoided_time;
