@@ -8,6 +8,8 @@
 
 namespace {
 
+FN int take(int& number) { return __hip_atomic_fetch_add(&number, 1, __ATOMIC_RELAXED, __HIP_MEMORY_SCOPE_AGENT); }
+
 FN int thread_index()
 {
     return int(__builtin_amdgcn_workgroup_id_x() * __builtin_amdgcn_workgroup_size_x() +

@@ -66,14 +66,14 @@ public:
         const std::scoped_lock lock(mutex_);
         contexts_[index] = context;
         capabilities_[index] = capability;
-        const std::int64_t pixels = job::pixels_per_launch(driver(), index);
+        const int threads = job::resident_threads(driver(), index);
         return {.device = {.name = printable(name.data()),
                            .vendor = driver().vendor,
                            .driver = job::version_of(driver()),
                            .is_gpu = true},
                 .instruction_set = MANDELMARCH_GPU_CODE,
-                .pixels_per_band = pixels,
-                .refill_lanes = job::knows_threads(pixels),
+                .pixels_per_band = job::pixels_of_band(threads),
+                .resident_threads = threads,
                 .peak_threads = 1 << 21};
     }
 

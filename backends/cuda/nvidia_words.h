@@ -7,6 +7,8 @@
 
 namespace {
 
+FN int take(int& number) { return atomicAdd(&number, 1); }
+
 FN int thread_index() { return int(blockIdx.x * blockDim.x + threadIdx.x); }
 
 FN void hide(int& value) { asm volatile("" : "+r"(value)); }

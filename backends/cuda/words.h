@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Adds to the scalar prelude what CUDA and HIP need. FN declares functions that run on the device, and KERNEL declares
 // kernels. thread_index() returns a thread's index in the launch. hide() makes the compiler assume that a value has
-// changed. reciprocal(), inverse_root() and binary_log() are approximate instructions.
+// changed. take() increments a number in memory as an atomic operation, and returns the number before. reciprocal(),
+// inverse_root() and binary_log() are approximate instructions.
 #pragma once
 
 #ifdef __HIP__
@@ -44,3 +45,4 @@ FN float smaller(float a, float b) { return __builtin_fminf(a, b); }
 
 }  // namespace
 #define MM_ANEW(value) hide(value)
+#define MM_TAKE(number) take(number)

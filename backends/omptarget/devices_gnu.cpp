@@ -33,7 +33,7 @@ job::OpenedDevice opened(int index, job::Chains*)
     omp_target_free(omp_target_alloc(1, index), index);  // opens the device: the driver translates the kernels
     return {.device = device,
             .instruction_set = "PTX for sm_35",
-            .pixels_per_band = job::pixels_per_launch(job::nvidia_driver(), index),
+            .pixels_per_band = job::pixels_of_band(job::resident_threads(job::nvidia_driver(), index)),
             .peak_threads = 1 << 21};
 }
 

@@ -81,14 +81,14 @@ public:
     {
         if (index < gpus()) {
             use(index);  // the driver translates the kernels
-            const std::int64_t pixels = job::pixels_per_launch(job::nvidia_driver(), index);
+            const int threads = job::resident_threads(job::nvidia_driver(), index);
             return {.device = {.name = text_of(index, acc_property_name),
                                .vendor = text_of(index, acc_property_vendor),
                                .driver = text_of(index, acc_property_driver),
                                .is_gpu = true},
                     .instruction_set = gpu_code,
-                    .pixels_per_band = pixels,
-                    .refill_lanes = job::knows_threads(pixels),
+                    .pixels_per_band = job::pixels_of_band(threads),
+                    .resident_threads = threads,
                     .peak_threads = gpu_threads};
         }
         const std::string name =
@@ -98,7 +98,6 @@ public:
                            .driver = "compiler " __VERSION__,
                            .is_gpu = false},
                 .pixels_per_band = host_band,
-                .refill_lanes = true,  // does not speed up a single thread, but runs the same code as on a GPU
                 .peak_threads = host_threads,
                 .note = fmt::format("runs on the {}", name)};
     }

@@ -217,7 +217,7 @@ double seconds_on_gpu(const Driver& driver, const std::function<void()>& launch,
     return timed && events.between(milliseconds) ? 1e-3 * milliseconds : seconds;
 }
 
-std::int64_t pixels_per_launch(const Driver& driver, int index)
+int resident_threads(const Driver& driver, int index)
 {
     int device = 0;
     int multiprocessors = 0;
@@ -227,7 +227,7 @@ std::int64_t pixels_per_launch(const Driver& driver, int index)
     const bool known = driver.devices > 0 && driver.device(&device, index) == 0 &&
                        ask(driver.multiprocessors, multiprocessors) && ask(driver.resident_threads, threads) &&
                        ask(driver.watchdog, watched);
-    return pixels_of_gpu(known && watched == 0 ? std::int64_t{multiprocessors} * threads : 0);
+    return known && watched == 0 ? multiprocessors * threads : 0;
 }
 
 }  // namespace mandelmarch::job

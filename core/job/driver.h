@@ -3,6 +3,7 @@
 // backends openacc and omptarget use NVIDIA's for queries that their run-time libraries lack.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -81,12 +82,15 @@ std::string version_of(const Driver& driver);
 double seconds_on_gpu(const Driver& driver, const std::function<void()>& launch,
                       const std::function<void()>& wait = {});
 
-// Returns the number of pixels per launch for a GPU: pixels_of_gpu(threads) of core/render/schedule.h, where `threads`
-// is the GPU's number of resident threads. Returns fewest_of_gpu if the driver is missing, if this number is unknown or
-// if a watchdog ends kernels that take several seconds.
-std::int64_t pixels_per_launch(const Driver& driver, int index);
+// Returns the number of threads that are resident on a GPU at once, at most. Returns 0 if the driver is missing, if the
+// number is unknown or if a watchdog ends kernels that take several seconds.
+int resident_threads(const Driver& driver, int index);
 
-// Returns true if a result of pixels_per_launch() was derived from the GPU's number of threads.
-inline bool knows_threads(std::int64_t pixels_per_launch) { return pixels_per_launch > fewest_of_gpu; }
+// Returns the number of pixels of a band for a GPU with so many resident threads (0: unknown). At the end of each band
+// most threads wait for the slowest rays, so there are few bands (tools/gpu_schedule.py).
+constexpr std::int64_t pixels_of_band(int threads)
+{
+    return std::clamp(std::int64_t{128} * threads, fewest_of_gpu, largest_band);
+}
 
 }  // namespace mandelmarch::job

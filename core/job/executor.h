@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -139,7 +140,7 @@ public:
         job_.first_row = band.first_row;
         job_.rows = band.rows;
         job_.lattice = band.lattice;
-        job_.pixels_of_thread = pixels_of_thread(std::int64_t{job_.scene.width} * band.rows);
+        job_.threads = opened_.resident_threads > 0 ? opened_.resident_threads : std::numeric_limits<int>::max();
         timed(timings_.upload, [&] { model_.upload(job_on_device_, &job_, sizeof(job_)); });
         double by_device = 0;
         double by_host = 0;
@@ -221,16 +222,6 @@ private:
             on_device.assign(first, first + size);
         }
         return camera;
-    }
-
-    // Returns the number of pixels that a thread marches one after the other. If threads march more pixels, fewer lanes
-    // of a warp are idle while the warp's last rays march. But enough threads must remain to fill the device twice.
-    int pixels_of_thread(std::int64_t pixels) const
-    {
-        constexpr std::int64_t most = 8;
-        const std::int64_t waves_left = waves_of_band / most;
-        const std::int64_t waves = waves_of_band * pixels / opened_.pixels_per_band;
-        return opened_.refill_lanes ? static_cast<int>(std::clamp<std::int64_t>(waves / waves_left, 1, most)) : 1;
     }
 
     const Model& model_;

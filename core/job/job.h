@@ -12,7 +12,10 @@ namespace mandelmarch::job {
 // layout of planes_of() in core/image/image.h. Scene is the kernel's type.
 template <class Scene, class Real>
 struct KernelArguments {
-    Scene scene;
+    // Number of pixels that threads have taken, with refill. The only member that kernels change, and the first one,
+    // because cmake/nvptx_as.in uses the job's address for it.
+    mutable int taken;
+    alignas(64) Scene scene;  // apart, so that these changes do not delay reading it
     Real* reals;
     int* wholes;
     unsigned char* bytes;  // three per pixel; nullptr: the planes are needed, not the bytes
@@ -24,7 +27,7 @@ struct KernelArguments {
     Lattice lattice;       // on GPUs always {0, 1}
     int first_row;
     int rows;
-    int pixels_of_thread;  // pixels that a thread marches one after the other, with refill (threads.h)
+    int threads;  // number of threads that march, with refill (threads.h)
 };
 
 // The size of a job.

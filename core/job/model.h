@@ -23,9 +23,7 @@ struct OpenedDevice {
     int threads = 1;
     std::string instruction_set = "scalar";
     std::int64_t pixels_per_band = 1 << 18;
-    // True if each thread marches several pixels, for fractals that use refill. pixels_per_band must then be
-    // waves_of_band times the number of threads resident on the device.
-    bool refill_lanes = false;
+    int resident_threads = 0;  // threads of a GPU that are resident at once, at most; 0: unknown
     // True for loops on a CPU that use cells.h, false for threads of a GPU that use threads.h.
     bool in_cells = false;
     int peak_threads = 1 << 7;  // threads that measure the multiply-add peak; a multiple of block_threads

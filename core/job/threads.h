@@ -93,9 +93,12 @@ FN void put_ray(const KernelArguments* job, Place place, Ray ray)
     job->wholes[place.at + 2 * place.pixels] = ray.iterations;
 }
 
-// Refill is not used in exact mode: fewer lanes are idle there, and the registers of the refill loop would reduce the
-// number of threads resident on a GPU.
-#if defined(MM_REFILL_LANES) && defined(MM_MODE_fast)
+#ifdef MM_REFILL_LANES
+// Increments a number in memory as an atomic operation, and returns the number before.
+#ifndef MM_TAKE
+#define MM_TAKE(number) __atomic_fetch_add(&(number), 1, __ATOMIC_RELAXED)
+#endif
+
 // Number of steps between two refills. All lanes of a warp wait while some of them are refilled.
 constexpr int steps_of_round = 4;
 
@@ -111,30 +114,23 @@ FN int places_of(const KernelArguments* job)
     return columns * lines * (warp_width * warp_height);
 }
 
-// Returns the difference between successive indices of a thread: the number of threads that march, rounded up to whole
-// blocks.
-FN int stride_of(const KernelArguments* job)
+// Takes the next index of the job's queue whose pixel is in the job. Returns places_of() or more if there is none.
+FN int taken_place(const KernelArguments* job)
 {
-    constexpr int block_threads = mandelmarch::job::block_threads;
-    const int threads = (places_of(job) + job->pixels_of_thread - 1) / job->pixels_of_thread;
-    return (threads + block_threads - 1) / block_threads * block_threads;
-}
-
-// Returns the first of the thread's indices, from `at` on, whose pixel is in the job; places_of() or more if there is
-// none.
-FN int next_inside(const KernelArguments* job, int at)
-{
-    while (at < places_of(job) && !place_of(job, at).inside) at += stride_of(job);
+    int at = 0;
+    do at = MM_TAKE(job->taken);
+    while (at < places_of(job) && !place_of(job, at).inside);
     return at;
 }
 
-// Marches the rays of the thread's indices until they stop, with refill: when a ray has stopped, the thread begins the
-// ray of its next index (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on GPUs",
-// HPG 2009). The launch has more threads than needed; threads with the index stride_of() or higher do nothing.
+// Marches rays until the job's queue of pixels is empty, with refill: when a ray has stopped, the thread begins the ray
+// of the next pixel in the queue (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on
+// GPUs", HPG 2009). The compilers of NVIDIA's and AMD's GPUs make one atomic operation of those of a warp's lanes. The
+// launch has more threads than the device holds at once; the others do nothing.
 FN void march_pixel(const KernelArguments* job, int thread)
 {
-    if (thread >= stride_of(job)) return;
-    int at = next_inside(job, thread);
+    if (thread >= job->threads) return;
+    int at = taken_place(job);
     if (at >= places_of(job)) return;
     Ray ray = begun_by_cone(job, place_of(job, at));
     while (at < places_of(job)) {
@@ -143,7 +139,7 @@ FN void march_pixel(const KernelArguments* job, int thread)
         }
         if (!marching(march_scene_of(job), ray)) {
             put_ray(job, place_of(job, at), ray);
-            at = next_inside(job, at + stride_of(job));
+            at = taken_place(job);
             if (at < places_of(job)) ray = begun_by_cone(job, place_of(job, at));
         }
     }

@@ -12,6 +12,8 @@ extern "C" int thread_of_launch;
 
 namespace {
 
+FN int take(int& number) { return number++; }
+
 FN int thread_index() { return thread_of_launch; }
 
 template <class T>

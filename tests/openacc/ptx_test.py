@@ -80,6 +80,8 @@ def faults(ptx, fractals):
         # Searches the whole body, not only the instructions that OPERATION matches, so that none is missed.
         if match[3] == "float" and ".f64" in body:
             found.append(f"{name}: .f64 in a float kernel")
+        if match[4] == "fast" and "atom.add" in body and not re.search(r"ld\.global\.nc\.u64 (%\w+).*\n\s*atom\.add\.u32 %\w+,\s*\[\1\]", body):
+            found.append(f"{name}: the compiler does not see that a warp's atomic additions have one address")
         if ".local" in body:
             found.append(f"{name}: variables in local memory")
     found += ["no kernel " + "_".join(missing) for missing in sorted(wanted)]
@@ -153,6 +155,8 @@ def check_text(ptx, fractals):
         "any number of marching blocks": re.sub(r"(\.entry march_.*?)\.minnctapersm 5\n", r"\1", ptx, count=1, flags=re.S),
         "a kernel less": ptx.replace(f".entry {march}_float_fast", f".entry {march}_float_quick"),
     }
+    if "atom.add" in ptx:  # a fractal refills
+        mutants["an addition for each thread"] = re.sub(r"(ld\.global)\.nc(\.u64.*\n\s*atom)", r"\1\2", ptx)
     for name, mutant in mutants.items():
         if not faults(mutant, fractals):
             found.append(f"the mutant '{name}' was not detected")

@@ -92,6 +92,9 @@ class Kernel:
             if suffixes[0] == "param":
                 return f"{to} = argument;"
             return f"{to} = *({C_TYPES[kind]}*){self.address(rest[0])};"
+        if word == "atom":
+            place = f"*({C_TYPES[kind]}*){self.address(rest[0])}"
+            return f"{to} = {place}; {place} += {self.value(rest[1], kind)};"
         if word == "mov" and rest[0].strip().startswith("%") and kind.startswith("b"):
             return f"memcpy(&{to}, &{rest[0].strip()[1:]}, {int(kind[1:]) // 8});"
         return f"{to} = {self.result(word, suffixes, kind, rest)};"

@@ -87,15 +87,15 @@ test_clock() {
     [ "$(seconds kernel)" != 3.0 ] || fail "kernel is 3 s without a clock"
 }
 
-# The picture has slightly more than 2^19 pixels. Therefore it is rendered in two bands or, if a watchdog ends long
-# launches, in three. Each band takes four launches of a second, one of them for cones.
+# The picture has slightly more than 2^19 pixels. It is rendered in one band or, if a watchdog ends long launches, in
+# three. Each band takes four launches of a second, one of them for cones.
 test_bands() {
     large() {
         "$bin/mandelbulb" paramsBulb.dat --size 750x700 --backend $backend --mode fast --precision float --without trial \
             --output a.png --stats a.json
     }
     expect 0 large
-    [ "$(seconds kernel)" = 8.0 ] || fail "kernel is $(seconds kernel) s, not that of four kernels on two bands"
+    [ "$(seconds kernel)" = 4.0 ] || fail "kernel is $(seconds kernel) s, not that of four kernels on one band"
     SIMULATED_WATCHED=1 expect 0 large
     [ "$(seconds kernel)" = 12.0 ] || fail "kernel is $(seconds kernel) s, not that of four kernels on three bands under a watchdog"
 }

@@ -13,14 +13,15 @@ namespace {
 
 constexpr double device_seconds = 7;  // duration of each launch by the fake device's clock
 
-// A fake kernel. Sets every byte of the rows to 200, but the second byte to the number of pixels per thread. Does not
-// change layers other than the bytes.
+// A fake kernel. Sets every byte of the rows to 200, but the second byte to the number of threads that march, and the
+// third to the number of pixels taken, which it then changes. Does not change layers other than the bytes.
 void draw(const void* address, const job::Launch& launch)
 {
     const auto& job = *static_cast<const job::KernelArguments<layout_f32::Scene, float>*>(address);
     if (job.bytes == nullptr) return;
     std::fill_n(job.bytes, 3L * launch.width * launch.rows, static_cast<unsigned char>(200));
-    job.bytes[1] = static_cast<unsigned char>(job.pixels_of_thread);
+    job.bytes[1] = static_cast<unsigned char>(std::min(job.threads, 255));
+    job.bytes[2] = static_cast<unsigned char>(job.taken++);
 }
 
 // The calls that the fake model has received.
@@ -34,7 +35,7 @@ struct Asked {
 
 class Counting : public job::Model {
 public:
-    explicit Counting(Asked& asked, bool refill_lanes = false) : asked_(asked), refill_lanes_(refill_lanes) {}
+    explicit Counting(Asked& asked, int threads = 0) : asked_(asked), threads_(threads) {}
 
     std::string_view name() const override { return "counting"; }
     BackendInfo info() const override { return {}; }
@@ -42,7 +43,7 @@ public:
     {
         return {[](std::string_view) -> job::DrawKernel* { return draw; }, nullptr};
     }
-    job::OpenedDevice open(int) const override { return {.pixels_per_band = 100, .refill_lanes = refill_lanes_}; }
+    job::OpenedDevice open(int) const override { return {.pixels_per_band = 100, .resident_threads = threads_}; }
     void run(const RendererOptions&, const std::function<void()>& f) const override
     {
         ++asked_.current;
@@ -70,7 +71,7 @@ public:
 
 private:
     Asked& asked_;
-    bool refill_lanes_;
+    int threads_;
 };
 
 class KernelArguments : public testing::Test {
@@ -120,21 +121,23 @@ TEST_F(KernelArguments, KernelIsTheDevicesOwnTime)
     EXPECT_LT(timings.host, device_seconds);
 }
 
-// With refill, a thread gets up to eight pixels, but fewer if the threads would otherwise fill less than two waves.
-// Without refill, a thread gets one pixel.
-TEST_F(KernelArguments, FewPixelsLeaveAThreadForEach)
+// With refill, as many threads march as are resident at once; if their number is unknown, every thread.
+TEST_F(KernelArguments, ResidentThreadsMarch)
 {
-    const auto pixels_of_thread = [&](bool refill, int width, int height) {
-        const auto backend = job::backend_of(std::make_unique<Counting>(asked_, refill));
-        Image image(width, height, Image::Layers::bytes);
-        backend->create({.precision = Precision::f32, .counts = false})
-            ->render(official_scene("box", width, height), image);
-        return static_cast<int>(image.bytes()[1]);
-    };
-    EXPECT_EQ(pixels_of_thread(true, 10, 10), 8);
-    EXPECT_EQ(pixels_of_thread(true, 10, 5), 4);
-    EXPECT_EQ(pixels_of_thread(true, 5, 1), 1);
-    EXPECT_EQ(pixels_of_thread(false, 10, 10), 1);
+    for (const auto& [resident, marching] : {std::pair{96, 96}, {0, 255}}) {
+        const auto backend = job::backend_of(std::make_unique<Counting>(asked_, resident));
+        Image image(10, 20, Image::Layers::bytes);
+        backend->create({.precision = Precision::f32, .counts = false})->render(official_scene("box", 10, 20), image);
+        EXPECT_EQ(image.bytes()[1], marching);
+    }
+}
+
+TEST_F(KernelArguments, EachBandBeginsWithAllItsPixels)
+{
+    Image image(10, 20, Image::Layers::bytes);
+    created()->render(official_scene("box", 10, 20), image);
+    EXPECT_EQ(image.bytes()[2], 0);
+    EXPECT_EQ(image.bytes()[3 * 10 * 10 + 2], 0) << "second band";
 }
 
 TEST_F(KernelArguments, BandsAreAsLargeAsAsked)

@@ -16,7 +16,7 @@ from .sweeps import THREADS, sweep
 
 DISTRIBUTION = [
     ["openmp", "each thread takes tiles of 16 x 16 pixels from a shared counter; within a thread, packs of SIMD lanes with ended rays replaced"],
-    ["openacc", "one GPU thread per pixel, or per up to eight pixels if lanes refill; 128 threads per block; one kernel after the other per band of the picture: cones (in fast mode), march, shade, bytes"],
+    ["openacc", "one GPU thread per pixel, or threads that take pixels from a queue if lanes refill; 128 threads per block; one kernel after the other per band of the picture: cones (in fast mode), march, shade, bytes"],
     ["omptarget, cuda", "one GPU thread per pixel, with the same kernels as openacc; on the host, omptarget's threads share the pixels"],
     ["stdpar, kokkos", "the model's own loop over the pixels of a band, one after the other in each thread"],
     ["opencl", "one work item per pixel on a GPU, per strip of pixels (in vectors) on a CPU"],
