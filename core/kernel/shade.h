@@ -119,9 +119,7 @@ FN Pixel missed(Scene scene, Hit hit)
 }
 
 // Returns the normal of a hit at distance t. If the eye is inside the solid (t = 0), the hit is not on the surface; in
-// canonical pictures its normal is then the direction towards the eye. shade_with() calls this function in both of its
-// branches: a single call before the branches cost three registers on the K40, when its kernels still used
-// shade_with().
+// canonical pictures its normal is then the direction towards the eye.
 FN vec3 facing(Scene scene, vec3 direction, vec3 n, real t)
 {
     if (scene.canonical != 0) n = pick3(t > 0, n, times(R(-1.0), direction));
@@ -171,11 +169,10 @@ FN Pixel shade_among(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal 
 FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal normal)
 {
     mask on = is_hit(hit);
+    vec3 n = facing(scene, hit.direction, normal.direction, at.t);
     if (scene.colouring > 1) {
-        vec3 n = facing(scene, hit.direction, normal.direction, at.t);
         pixel = shade_among(scene, hit, pixel, at, normal, occlusion(scene, at.p, n, at.t, on));
     } else {
-        vec3 n = facing(scene, hit.direction, normal.direction, at.t);
         pixel.colour = pick3(on, lit(scene, hit.direction, n), pixel.colour);
         pixel = finished(hit, pixel, at, normal);
     }
