@@ -30,6 +30,7 @@ constexpr int fastest_gif = 50;  // frames per second
 constexpr std::size_t box_head = 8;      // bytes: size and type
 constexpr std::size_t number_size = 4;   // bytes of a number in a box
 constexpr std::size_t entries_head = 8;  // bytes before the entries of the box stsd: version, flags, number of entries
+constexpr std::size_t video_entry = 78;  // bytes of a codec's entry between its head and the boxes in it
 constexpr char left_and_right = 2;       // st3d's value for side by side
 constexpr std::string_view version_0{"\0\0\0\0", 4};
 
@@ -80,6 +81,23 @@ std::size_t box_in(std::string_view data, std::size_t begin, std::size_t end, st
         at += size;
     }
     return end;
+}
+
+// Returns the offsets of the boxes that contain the first codec's entry, from `moov` on, and of the entry itself, which
+// is avc1 or vp09. Returns nothing if one of them is missing.
+std::vector<std::size_t> path_to_entry(std::string_view data)
+{
+    std::vector<std::size_t> path;
+    std::size_t begin = 0;
+    std::size_t end = data.size();
+    for (const std::string_view type : {"moov", "trak", "mdia", "minf", "stbl", "stsd", ""}) {
+        const std::size_t at = box_in(data, begin, end, type);
+        if (at == end) return {};
+        path.push_back(at);
+        begin = at + box_head + (type == "stsd" ? entries_head : 0);
+        end = at + size_at(data, at);
+    }
+    return path;
 }
 
 // Returns true if the file is a sequence of complete boxes and one of them is `moov`, which ffmpeg writes last.
@@ -194,21 +212,34 @@ void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
     if (!stream || !(text << stream.rdbuf())) throw Error(from + ": cannot be read");
     std::string data = text.str();
     const std::string boxes = boxes_of(tags);
-    std::vector<std::size_t> around;  // offsets of the boxes that contain the new ones
-    std::size_t begin = 0;
-    std::size_t end = data.size();
-    // The empty type at the end finds the codec's entry, which is avc1 or vp09.
-    for (const std::string_view type : {"moov", "trak", "mdia", "minf", "stbl", "stsd", ""}) {
-        const std::size_t at = box_in(data, begin, end, type);
-        const bool last = around.empty() && at < end && at + size_at(data, at) != data.size();
-        if (at == end || last) throw Error(fmt::format("{}: not an MP4 file whose last box is the movie box", from));
-        around.push_back(at);
-        begin = at + box_head + (type == "stsd" ? entries_head : 0);
-        end = at + size_at(data, at);
-    }
+    const std::vector<std::size_t> around = path_to_entry(data);
+    if (around.empty() || around.front() + size_at(data, around.front()) != data.size())
+        throw Error(fmt::format("{}: not an MP4 file whose last box is the movie box", from));
+    const std::size_t end = around.back() + size_at(data, around.back());
     for (const std::size_t at : around) data.replace(at, 4, four_bytes(size_at(data, at) + boxes.size()));
     data.insert(end, boxes);
     write_file(to, data);
+}
+
+void hide_vexu(const std::string& film)
+{
+    std::fstream stream(film, std::ios::in | std::ios::out | std::ios::binary);
+    std::string data(box_head, '\0');
+    std::uint64_t movie = 0;
+    while (stream.read(data.data(), box_head) && data.substr(4) != "moov") {
+        movie += std::max(size_at(data, 0), box_head);
+        stream.seekg(static_cast<std::streamoff>(movie));
+    }
+    data.resize(size_at(data, 0));
+    stream.seekg(static_cast<std::streamoff>(movie));
+    stream.read(data.data(), static_cast<std::streamsize>(data.size()));
+    const std::vector<std::size_t> path = path_to_entry(data);
+    if (!stream || path.empty()) throw Error(film + ": not an MP4 file that begins with the movie box");
+    const std::size_t end = path.back() + size_at(data, path.back());
+    const std::size_t vexu = box_in(data, path.back() + box_head + video_entry, end, "vexu");
+    if (vexu == end) return;
+    stream.seekp(static_cast<std::streamoff>(movie + vexu + 4));
+    if (!stream.write("free", 4).flush()) throw Error(film + ": cannot be written");
 }
 
 }  // namespace mandelmarch

@@ -43,4 +43,9 @@ struct Tags {
 // their stored offsets would be wrong. Throws Error if `from` is not an MP4 file that ends with the movie box.
 void tag_mp4(const std::string& from, const std::string& to, const Tags& tags);
 
+// Replaces the box vexu of an MP4 film that begins with its movie box, if it has one, by an unused box. ffmpeg 7.1
+// writes it for stereo films. It does not say that the pictures are side by side, and ffmpeg's readers then ignore the
+// box st3d, which does.
+void hide_vexu(const std::string& film);
+
 }  // namespace mandelmarch

@@ -141,6 +141,7 @@ public:
             if (frames_in(told) != static_cast<std::int64_t>(frames)) {
                 throw Error(fmt::format("{}: joined {} frames of {}", options_.output, frames_in(told), frames));
             }
+            if (tags.side_by_side && coding_.container == Container::mp4) hide_vexu(work_.folder() + "/" + part);
         };
         make(".part-film", coding_.container, join_to, [&](const std::string& part) { deliver(part); });
         work_.close();

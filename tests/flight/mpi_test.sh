@@ -18,7 +18,7 @@ test_same_film() {
 
 test_unlike_machines() {
     ranks -n 1 "$program" render path.json $small --output mpi.mp4 : \
-        -n 1 -x MANDELMARCH_INSTRUCTIONS=SCALAR "$program" render path.json $small --output mpi.mp4 &&
+        -n 1 env MANDELMARCH_INSTRUCTIONS=SCALAR "$program" render path.json $small --output mpi.mp4 &&
         fail "ranks of unlike instruction sets made a film"
     says "rank 1 would render other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
 }
