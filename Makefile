@@ -34,7 +34,7 @@ mandelbulb mandelbox:
 	@tools/build $(HERE) $@
 	@$(put) build/$(HERE)/bin/$@ $@
 
-demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html (6 min with set-up and build)
+demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html (8 min with set-up and build)
 	@tools/setup programs
 	@tools/build $(HERE) $(DEMO) mandelbulb mandelbox
 	@$(call take,$(HERE),$(DEMO))
@@ -43,7 +43,7 @@ demo: ## both official scenes on every backend, compared and timed, a film and a
 
 # The build that is tested: the one for this machine alone, unless PRESET is given.
 TESTED := $(if $(filter file,$(origin PRESET)),native,$(PRESET))
-test: ## all tests of a build for this machine (12 min with set-up and build)
+test: ## all tests of a build for this machine (9 min after `make demo`, with set-up and build)
 	@tools/setup tests
 	@tools/build $(TESTED) all
 	@tools/python_packages
