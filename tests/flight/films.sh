@@ -22,3 +22,9 @@ PY
 make_path path.json 30 0.02
 # whole: renders the film with which others are compared.
 whole() { run 0 render path.json $small --output whole.mp4; }
+
+# other_instructions: prints the name of another instruction set than the one that is used by default.
+other_instructions() {
+    MANDELMARCH_INSTRUCTIONS=none "$bin/render" --fractal bulb --backend openmp --size 8x8 --output none.png 2>&1 |
+        sed -n 's/.*, \(.*\) on this machine$/\1/p'
+}

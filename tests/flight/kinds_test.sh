@@ -127,9 +127,11 @@ test_job_arrays() {
     run 2 render path.json $small --output array2.mp4 --segments 2-9
     says '2-9 given, expected some of 0-1'
     # A message reports that the store has segments made with other instructions.
-    MANDELMARCH_INSTRUCTIONS=SCALAR run 0 render path.json $small --output mixed.mp4 --segments 0-0
+    local other
+    other=$(other_instructions)
+    MANDELMARCH_INSTRUCTIONS=$other run 0 render path.json $small --output mixed.mp4 --segments 0-0
     run 0 render path.json $small --output mixed.mp4 --segments 1-1
-    says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: 'SCALAR', here 'all of the machine'"
+    says "mixed.mp4.parts/.* has 1 segments of another film.*instructions: '$other', here 'all of the machine'"
 }
 
 # Tests that titles are complete, are shown once for each eye, and use only letters of the font. white FILM WIDTH

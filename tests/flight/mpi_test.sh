@@ -17,8 +17,11 @@ test_same_film() {
 }
 
 test_unlike_machines() {
-    ranks -n 1 "$program" render path.json $small --output mpi.mp4 : \
-        -n 1 env MANDELMARCH_INSTRUCTIONS=SCALAR "$program" render path.json $small --output mpi.mp4 &&
+    local other
+    other=$(other_instructions)
+    # Open MPI 5.0.7 crashes if ranks have different commands.
+    ranks -n 2 bash -c '[ "${OMPI_COMM_WORLD_RANK:-$PMI_RANK}" = 0 ] || export MANDELMARCH_INSTRUCTIONS=$0; "$@"' \
+        "$other" "$program" render path.json $small --output mpi.mp4 &&
         fail "ranks of unlike instruction sets made a film"
-    says "rank 1 would render other pictures than rank 0: instructions: 'all of the machine', here 'SCALAR'"
+    says "rank 1 would render other pictures than rank 0: instructions: 'all of the machine', here '$other'"
 }
