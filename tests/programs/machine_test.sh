@@ -38,6 +38,7 @@ test_threads() {
         threads 1 env OMP_NUM_THREADS=1 "${box[@]}" --backend $backend
         threads 1 taskset -c "$first" "${box[@]}" --backend $backend
     done
+    export MANDELMARCH_BACKENDS=openmp
     line=$("$bin/demo" --side 16 2>/dev/null | head -1)
     [[ $line = *", $given threads" ]] || fail "demo says $line"
     line=$(taskset -c "$first" "$bin/demo" --side 16 2>/dev/null | head -1)
