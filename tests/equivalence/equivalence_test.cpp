@@ -32,7 +32,7 @@ std::vector<NamedScene> fast_scenes()
 {
     std::vector<NamedScene> scenes;
     for (const Fractal& fractal : fractals()) {
-        scenes.push_back({fmt::format("{}, fast", fractal.short_name), official_scene(fractal, 240, 240)});
+        scenes.push_back({fmt::format("{}, fast", fractal.short_name), official_scene(fractal, 160, 160)});
     }
     return scenes;
 }
