@@ -136,8 +136,8 @@ HWY_INLINE void march(const Scene& scene, Marching& rays, int at, const mask& pr
                       double* out)
 {
     const auto field = [&](int f) { return load(rays.of[f] + at); };
-    const vec3 origin(field(Marching::x), field(Marching::y), field(Marching::z));
-    const vec3 direction(field(Marching::along_x), field(Marching::along_y), field(Marching::along_z));
+    const vec3 origin{field(Marching::x), field(Marching::y), field(Marching::z)};
+    const vec3 direction{field(Marching::along_x), field(Marching::along_y), field(Marching::along_z)};
     real t = field(Marching::length);
     real steps = field(Marching::steps);
     mask on = present && t < real(reach.end) && steps < real(reach.steps);
