@@ -12,12 +12,13 @@ namespace mandelmarch::openmp {
 // Binds the calling thread to the cores of its OpenMP place, as OpenMP binds the other threads of its team to theirs.
 // The destructor restores the thread's affinity. This class is needed, because the programs undo OpenMP's binding of
 // their first thread when they start (restore_affinity()), so that this thread's other work and its child processes are
-// not bound. A team of one thread is not bound: the caller may run several of them on threads of its own.
+// not bound. A team of one thread is not bound, because the caller may run several such teams at the same time.
 class OwnPlace {
 public:
     explicit OwnPlace(int team)
     {
-        if (team == 1 || omp_get_num_places() == 0) return;  // OpenMP does not bind threads
+        const bool binds = omp_get_num_places() > 0;  // OpenMP binds threads
+        if (team == 1 || !binds) return;
         bound_ = sched_getaffinity(0, sizeof before_, &before_) == 0;
         const int place = omp_get_place_num();
         if (place < 0 || !bound_) return;

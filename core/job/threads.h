@@ -123,10 +123,11 @@ FN int taken_place(const KernelArguments* job)
     return at;
 }
 
-// Marches rays until the job's queue of pixels is empty, with refill: when a ray has stopped, the thread begins the ray
-// of the next pixel in the queue (persistent threads: Aila and Laine, "Understanding the efficiency of ray traversal on
-// GPUs", HPG 2009). The compilers of NVIDIA's and AMD's GPUs make one atomic operation of those of a warp's lanes. The
-// launch has more threads than the device holds at once; the others do nothing.
+// Marches rays until the job's queue of pixels is empty, with refill: when a ray has stopped, the thread takes the
+// next pixel from the queue and begins its ray. This method is called persistent threads (Aila and Laine,
+// "Understanding the efficiency of ray traversal on GPUs", HPG 2009). The compilers of NVIDIA's and AMD's GPUs make one
+// atomic operation of those of a warp's lanes. The launch has more threads than the device holds at once; the others do
+// nothing.
 FN void march_pixel(const KernelArguments* job, int thread)
 {
     if (thread >= job->threads) return;

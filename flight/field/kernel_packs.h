@@ -130,8 +130,8 @@ HWY_INLINE void add_rays(Marching& rays, Triples from, Triples along, std::size_
 }
 
 // Takes up to steps_at_once steps with the pack of rays that begins at index `at`. Ends earlier when a quarter of them
-// have ended, unless `alone`: no other rays wait for lanes.
-// Keeps those that have not ended, behind the rays.size kept ones, and writes the lengths of the others to `out`.
+// have ended, unless `alone` says that no other rays wait for lanes. Moves the rays that have not ended behind the
+// rays.size rays that are kept already, and writes the lengths of the others to `out`.
 HWY_INLINE void march(const Scene& scene, Marching& rays, int at, const mask& present, bool alone, Reach reach,
                       double* out)
 {

@@ -113,7 +113,7 @@ std::vector<Row> truth_rows(const Path& path, const Backend& backend, const Rend
                             const Picture& picture)
 {
     std::vector<double> offs((path.frames.size() + every - 1) / every);
-    // A patch has too few rays for several threads, so that each thread compares frames of its own.
+    // A patch has too few rays to occupy several threads. Therefore the threads compare different frames.
     const bool many = backend.info().concurrent;
     RendererOptions own = options;
     if (many) own.threads = 1;

@@ -85,9 +85,10 @@ private:
     double side_;        // edge of a fine cell
     std::vector<Ball> samples_, narrows_;
     std::vector<Ball> balls_;
-    std::vector<Link> links_;              // of all balls, one ball after another
-    std::vector<std::size_t> first_link_;  // for each ball: index of its first link; and the number of all links
-    std::vector<std::int32_t> owner_;      // for each fine cell: index of the ball that covers its centre; -1: none
+    std::vector<Link> links_;  // the links of ball 0, then those of ball 1, and so on
+    std::vector<std::size_t>
+        first_link_;                   // for each ball: index of its first link. The last entry is the number of links
+    std::vector<std::int32_t> owner_;  // for each fine cell: index of the ball that covers its centre; -1: none
 };
 
 }  // namespace mandelmarch

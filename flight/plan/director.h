@@ -63,8 +63,9 @@ private:
     // Writes the cost of each direction of a panorama to `costs`.
     static void rate(std::span<const float> depths, double clearance, std::span<float> costs);
     std::size_t panorama_at(double sample) const;
-    // Returns, for each of the given frames of a trajectory, the cost of each direction, of its angle to the motion and
-    // of its closeness to an avoided direction or, near a stop, of its angle to the stop's view alone.
+    // Returns the costs of all directions, for each of the given frames of a trajectory. A direction's cost depends on
+    // its view, its angle to the motion, and its closeness to an avoided direction. Near a stop, it depends only on the
+    // angle to the stop's direction.
     std::vector<double> slot_costs(const Trajectory& ride, std::span<const std::size_t> frames,
                                    std::span<const Stop> stops, std::span<const Avoided> avoided) const;
 

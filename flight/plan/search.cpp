@@ -42,12 +42,12 @@ Search::Search(std::span<const RoadmapSpan> stretches, double frames_a_clearance
         offsets_.push_back(entries_.size());
         entries_.resize(entries_.size() + roads.balls.balls().size());
         int kinds = 0;
-        for (const Ball& ball : roads.balls.balls()) places_.push_back({!roads.field.bounds().contains(ball.centre)});
+        for (const Ball& ball : roads.balls.balls()) states_.push_back({!roads.field.bounds().contains(ball.centre)});
         for (std::size_t g = 0; g < roads.gates.size(); ++g) {
             for (std::size_t side = 0; side < 2; ++side) {
                 const std::size_t b = offsets_.back() + static_cast<std::size_t>(roads.gates[g].balls[side]);
                 entries_[b].push_back(static_cast<int>(2 * g + side));
-                places_[b].entry = true;
+                states_[b].entry = true;
             }
             kinds = std::max(kinds, roads.gates[g].kind + 1);
         }
@@ -84,20 +84,20 @@ Node Search::near(int stretch, Vector place) const
 
 void Search::relax(Queue& queue, Node node, double cost, double clock, Node before)
 {
-    Place& place = places_[index(node)];
-    if (place.round == turn_ && place.cost <= cost) return;
-    place.round = turn_;
-    place.cost = cost;
-    place.clock = clock;
-    place.before = before;
+    State& state = states_[index(node)];
+    if (state.round == turn_ && state.cost <= cost) return;
+    state.round = turn_;
+    state.cost = cost;
+    state.clock = clock;
+    state.before = before;
     queue.emplace(cost, std::pair{node.stretch, node.ball});
 }
 
 double Search::with_penalties(double steps, Node to) const
 {
-    const Place& place = places_[index(to)];
-    if (place.outside) steps *= outside_penalty;
-    if (place.seen) steps *= seen_penalty;
+    const State& state = states_[index(to)];
+    if (state.outside) steps *= outside_penalty;
+    if (state.seen) steps *= seen_penalty;
     return steps;
 }
 
@@ -110,7 +110,7 @@ bool Search::find(Node from, Node to)
         const auto [cost, name] = queue.top();
         queue.pop();
         const Node node{name.first, name.second};
-        if (cost > places_[index(node)].cost) continue;
+        if (cost > states_[index(node)].cost) continue;
         if (node.ball == to.ball) return true;
         for (const Link& link : roads(node.stretch).balls.links(node.ball)) {
             const Node next{node.stretch, link.to};
@@ -135,19 +135,19 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
         queue.pop();
         const Node node{name.first, name.second};
         const std::size_t b = index(node);
-        const Place& place = places_[b];
-        if (cost > place.cost) continue;
+        const State& state = states_[b];
+        if (cost > state.cost) continue;
         if (cost > gate_reach) break;
-        const double way = frames_a_clearance_ > 0 ? (place.clock - clock) / frames_a_clearance_ : 0;
+        const double way = frames_a_clearance_ > 0 ? (state.clock - clock) / frames_a_clearance_ : 0;
         if (way > changing_reach) continue;
         const Roadmap& here = roads(node.stretch);
-        if (place.clock > stretch(node.stretch).until) {
+        if (state.clock > stretch(node.stretch).until) {
             const Node on{node.stretch + 1, roads(node.stretch + 1).balls.holding(ball(node).centre)};
-            if (on.ball >= 0) relax(queue, on, cost, place.clock, node);
+            if (on.ball >= 0) relax(queue, on, cost, state.clock, node);
             continue;
         }
-        if (way > stroll_reach / 4 && way < stroll_reach && !place.outside) stroll_ = node;
-        for (const int entry : place.entry ? std::span<const int>(entries_[b]) : std::span<const int>()) {
+        if (way > stroll_reach / 4 && way < stroll_reach && !state.outside) stroll_ = node;
+        for (const int entry : state.entry ? std::span<const int>(entries_[b]) : std::span<const int>()) {
             const Gate& gate = here.gates[static_cast<std::size_t>(entry) / 2];
             if (flown_[static_cast<std::size_t>(node.stretch)][static_cast<std::size_t>(gate.kind)] != 0) continue;
             ++found;
@@ -160,13 +160,13 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
         }
         // The search waits for memory less if the balls of all links are fetched at once.
         const auto links = here.balls.links(node.ball);
-        for (const Link& link : links) __builtin_prefetch(&places_[index({node.stretch, link.to})]);
+        for (const Link& link : links) __builtin_prefetch(&states_[index({node.stretch, link.to})]);
         if (!queue.empty() && queue.top().second.first == node.stretch) {
             __builtin_prefetch(here.balls.links(queue.top().second.second).data());
         }
         for (const Link& link : links) {
             const Node to{node.stretch, link.to};
-            relax(queue, to, cost + with_penalties(link.steps, to), place.clock + link.steps * frames_a_clearance_,
+            relax(queue, to, cost + with_penalties(link.steps, to), state.clock + link.steps * frames_a_clearance_,
                   node);
         }
     }
@@ -199,7 +199,7 @@ double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) c
 std::vector<Node> Search::leg_to(Node node) const
 {
     std::vector<Node> leg;
-    for (Node at = node; at.ball >= 0; at = places_[index(at)].before) leg.push_back(at);
+    for (Node at = node; at.ball >= 0; at = states_[index(at)].before) leg.push_back(at);
     std::ranges::reverse(leg);
     return leg;
 }
@@ -210,8 +210,8 @@ void Search::see(Node node)
         const Node there =
             stretch == node.stretch ? node : Node{stretch, roads(stretch).balls.holding(ball(node).centre)};
         if (there.ball < 0) continue;
-        places_[index(there)].seen = true;
-        for (const Link& link : roads(stretch).balls.links(there.ball)) places_[index({stretch, link.to})].seen = true;
+        states_[index(there)].seen = true;
+        for (const Link& link : roads(stretch).balls.links(there.ball)) states_[index({stretch, link.to})].seen = true;
     }
 }
 
@@ -233,7 +233,7 @@ void Search::mark_flown(Entry entry)
 void Search::forget()
 {
     for (auto& kinds : flown_) std::ranges::fill(kinds, 0);
-    for (Place& place : places_) place.seen = false;
+    for (State& state : states_) state.seen = false;
 }
 
 }  // namespace mandelmarch

@@ -55,8 +55,8 @@ public:
     // - cost() and clock(): the cost of that way in clearances, and the shape time at the node.
     Node stroll() const { return stroll_; }
     std::vector<Node> leg_to(Node node) const;
-    double cost(Node node) const { return places_[index(node)].cost; }
-    double clock(Node node) const { return places_[index(node)].clock; }
+    double cost(Node node) const { return states_[index(node)].cost; }
+    double clock(Node node) const { return states_[index(node)].clock; }
 
     // Returns the cost, in clearances, of the turns at both ends of the leg to a gate: from the tour so far (`done`)
     // into the leg, and from the leg into the gate.
@@ -100,15 +100,15 @@ private:
     std::vector<std::vector<char>> flown_;  // for each stretch and kind of gate: marked by mark_flown()
     // A ball and Dijkstra's labels for it. They are stored together, because the search visits the balls in no order
     // and waits for memory.
-    struct alignas(32) Place {
-        bool outside;        // of the bounds
+    struct alignas(32) State {
+        bool outside;        // the ball's centre is outside the bounds
         bool entry = false;  // entries of gates begin in it
         bool seen = false;   // marked by see()
         int round = -1;      // the labels belong to the last search if this equals turn_
         double cost = 0, clock = 0;
         Node before = {};
     };
-    std::vector<Place> places_;
+    std::vector<State> states_;
     int turn_ = 0;
     std::vector<std::vector<int>> entries_;  // for each ball: the entries of gates that begin in it, see Entry::number
     Node stroll_;

@@ -21,7 +21,8 @@ import tool  # noqa: F401 (makes tools importable)
 
 import gpu_schedule
 
-# A multiprocessor that holds one block of four warps, each on a quarter of its own. An iteration takes a cycle.
+# A GPU with one multiprocessor, which holds one block of four warps. Each of its quarters runs one of the warps. An
+# iteration takes a cycle.
 GPU = types.SimpleNamespace(multiprocessors=1, latency=1, quarters=lambda: 4)
 MARCH = types.SimpleNamespace(step_cycles=0, round_cycles=1)
 LANES = 32
