@@ -14,7 +14,7 @@ constexpr double slowest = 0.08;        // smallest speed factor
 constexpr double usual_motion = 0.014;  // picture heights per frame; wanted median motion of the pixels
 constexpr int view_stride = 10;         // frames between the views whose motion sets the speed
 constexpr double most_outside = 0.09;   // fraction of the frames; wanted maximum outside the bounds
-constexpr double most_skipped = 0.03;   // fraction of the frames
+constexpr double most_skipped = 0.06;   // fraction of the frames
 
 }  // namespace
 

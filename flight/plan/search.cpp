@@ -11,7 +11,7 @@ namespace mandelmarch {
 namespace {
 
 // The cost of a way is its length in clearances, times penalties.
-constexpr double outside_penalty = 6;  // factor for ways outside the bounds
+constexpr double outside_penalty = 6;  // factor for ways outside the bounds, and for gates that lead there
 constexpr double seen_penalty = 3;     // factor for ways to balls that the tour has visited
 constexpr double whole_turn = 30;      // cost of a turn by 180 degrees
 constexpr double gate_reach = 400;     // largest cost of the way to the next gate
@@ -151,8 +151,10 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
             const Gate& gate = here.gates[static_cast<std::size_t>(entry) / 2];
             if (flown_[static_cast<std::size_t>(node.stretch)][static_cast<std::size_t>(gate.kind)] != 0) continue;
             ++found;
+            const Node behind{node.stretch, gate.balls[1 - static_cast<std::size_t>(entry) % 2]};
             const double wanted = (10 + cost + turn_cost(node, {node.stretch, entry}, done)) *
-                                  (1 + whim * random.share()) / (0.4 + gate.walled);
+                                  (1 + whim * random.share()) / (0.4 + gate.walled) *
+                                  (states_[index(behind)].outside ? outside_penalty : 1);
             if (wanted < best_cost) {
                 best_cost = wanted;
                 best = {node.stretch, entry};

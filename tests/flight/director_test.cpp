@@ -9,6 +9,7 @@
 #include "flight/audit/views.h"
 #include "flight/plan/director.h"
 #include "flight/plan/gaze.h"
+#include "flight/plan/pacing.h"
 #include "flight/plan/trajectory.h"
 #include "tests/scenes.h"
 
@@ -74,6 +75,20 @@ TEST(Panorama, SeesTheFractalWhereItIs)
     EXPECT_TRUE(std::isinf(depth(0, {0, 0, 1})));
     EXPECT_NEAR(depth(1, {-1, 0, 0}), 3, 0.4);
     EXPECT_TRUE(std::isinf(depth(1, {0, 0, -1})));
+}
+
+// The camera is close to an outer face of the Mandelbox and looks past it. Many rays need over 100 steps to leave.
+TEST(Panorama, SkyBesideAFaceOfTheBoxIsEmpty)
+{
+    const Shapes shapes(official_scene("box", 16, 9), 2, 0);
+    const Frame frame{{5.757, 6.010, 0.843}, {5.851, 6.541, 0.001}, {-0.096, -0.837, -0.539}, 1, {}};
+    EXPECT_LT(view_of(shapes.field(), frame).hit_share(), 0.1);
+    const Sphere sphere(1000, 0.4);
+    const std::vector<Vector> places{frame.eye};
+    const auto depths = panoramas(shapes, sphere, places, std::vector<double>(1, shapes.usual()), 100);
+    for (const int direction : sphere.near(sphere.nearest(unit(frame.target - frame.eye)))) {
+        EXPECT_TRUE(std::isinf(depths[static_cast<std::size_t>(direction)])) << direction;
+    }
 }
 
 // Negative control: a camera that always looks ahead, past the fractal, shows less of the fractal.
@@ -144,6 +159,21 @@ TEST(Trajectory, ChangesItsSpeedWithoutKinks)
     std::vector<Vector> step = way.flown.at;
     step.erase(step.begin() + 4);
     EXPECT_GT(jerk(step), 0.002);
+}
+
+// A flight is shortened if over 9 % of its frames are outside, by at most 6 %.
+TEST(Trajectory, BeginsLaterIfTheApproachIsTooLong)
+{
+    const Bounds bounds{Bounds::Shape::sphere, 1};
+    const auto skipped = [&](int outside, int skip) {
+        Trajectory ride;
+        for (int i = 0; i < 100; ++i) ride.at.push_back({0, 0, i < outside ? 2.0 : 0.5});
+        return shortened_by(bounds, ride, 100, skip);
+    };
+    EXPECT_EQ(skipped(9, 0), 0);
+    EXPECT_EQ(skipped(12, 0), 3);
+    EXPECT_EQ(skipped(9, 3), 3);
+    EXPECT_EQ(skipped(20, 0), 6);
 }
 
 }  // namespace
