@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "flight/plan/gaze.h"
 
@@ -15,6 +16,8 @@ constexpr double usual_motion = 0.014;  // picture heights per frame; wanted med
 constexpr int view_stride = 10;         // frames between the views whose motion sets the speed
 constexpr double most_outside = 0.09;   // fraction of the frames; wanted maximum outside the bounds
 constexpr double most_skipped = 0.06;   // fraction of the frames
+constexpr int longest_easing = 60;      // frames
+constexpr int easings = 40;             // least number of easings in a flight's length
 
 }  // namespace
 
@@ -59,6 +62,28 @@ int shortened_by(const Bounds& bounds, const Trajectory& ride, int frames, int s
         std::count_if(ride.at.begin(), ride.at.begin() + frames, [&](Vector place) { return !bounds.contains(place); });
     const int excess = static_cast<int>(outside) - static_cast<int>(most_outside * frames);
     return std::clamp(skip + excess, 0, static_cast<int>(most_skipped * frames));
+}
+
+void ease_ends(Trajectory& ride, int frames)
+{
+    const double easing = std::min(longest_easing, frames / easings);
+    if (easing == 0) return;
+    // Returns the frame of the old trajectory at whose place the camera is in a frame of the new one. The speed grows
+    // from 0 to its usual value, and falls to 0, linearly.
+    const auto old_frame = [=](double frame) {
+        const double begun = std::min(frame, easing);
+        const double ended = std::clamp(frame - (frames - 1 - easing), 0.0, easing);
+        return frame - begun + (begun * begun - ended * ended) / (2 * easing);
+    };
+    Trajectory eased;
+    for (std::size_t i = 0; i + 1 < ride.at.size(); ++i) {
+        const double old = old_frame(static_cast<double>(i));
+        const auto k = static_cast<std::size_t>(old);
+        const double share = old - static_cast<double>(k);
+        eased.at.push_back((1 - share) * ride.at[k] + share * ride.at[k + 1]);
+        eased.sample.push_back((1 - share) * ride.sample[k] + share * ride.sample[k + 1]);
+    }
+    ride = std::move(eased);
 }
 
 }  // namespace mandelmarch

@@ -26,4 +26,8 @@ Trajectory ride_without(const Bounds& bounds, const Curve& track, double pace, i
 // trajectory skips already.
 int shortened_by(const Bounds& bounds, const Trajectory& ride, int frames, int skip);
 
+// Changes a flight of `frames` frames so that the camera starts from rest and comes to rest, each within two seconds or
+// a fortieth of the flight. The frames behind the last one move on.
+void ease_ends(Trajectory& ride, int frames);
+
 }  // namespace mandelmarch

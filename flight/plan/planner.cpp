@@ -157,8 +157,10 @@ private:
             const int wanted = frames_until(stops);
             const int frames = std::min(wanted, static_cast<int>(now.at.size()));
             if (frames < wanted / 4 || (frames < wanted && round > 2)) return {};
+            const bool last = round + 1 == retimings;
+            if (last && !schedule_.changes() && stops.empty()) ease_ends(now, frames);
             views = gaze(flown, frames);
-            if (round + 1 == retimings) break;
+            if (last) break;
             if (!schedule_.changes() && stops.empty()) skip = shortened_by(bounds, now, frames, skip);
             keep_moving(track, now, cameras(now, views, first_up(views[0]), field_of_view), flown.director);
             slow_turns(track, now, views);

@@ -9,10 +9,11 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double start_distance = 2.5;  // fractal sizes; distance of the tour's first point from the centre
-constexpr int most_refused = 60;        // number of discarded parts that ends a tour; a Search::stroll() counts as five
-constexpr int most_detours = 5;         // number of gates left out on the way to a place after which none is tried
-constexpr double dear_gate = 130;       // clearances with penalties; a stroll is preferred to a gate farther away
+constexpr double start_distance = 3;      // fractal sizes; distance of the tour's first point from the centre
+constexpr double start_clearance = 0.06;  // fractal sizes; least clearance of the ball to which the tour leads first
+constexpr int most_refused = 60;   // number of discarded parts that ends a tour; a Search::stroll() counts as five
+constexpr int most_detours = 5;    // number of gates left out on the way to a place after which none is tried
+constexpr double dear_gate = 130;  // clearances with penalties; a stroll is preferred to a gate farther away
 
 class Guide {
 public:
@@ -130,7 +131,7 @@ private:
         std::vector<int> candidates;
         for (std::size_t i = 0; i < balls.balls().size(); ++i) {
             const Ball& ball = balls.balls()[i];
-            if (ball.clearance > 0.1 * search_.field(0).bounds().size &&
+            if (ball.clearance > start_clearance * search_.field(0).bounds().size &&
                 !search_.field(0).bounds().contains(ball.centre) && !balls.links(static_cast<int>(i)).empty()) {
                 candidates.push_back(static_cast<int>(i));
             }

@@ -5,13 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/scene/fractal.h"
+#include "flight/field/threads.h"
 #include "hwy/highway.h"
 #include "tests/scenes.h"
 
@@ -64,6 +67,25 @@ TEST(DistanceField, TheSameBitsOnAnyNumberOfThreads)
         EXPECT_GT(one.distance(outside), 0);
         EXPECT_LE(one.distance(outside), 3 * one.bounds().size);
     }
+}
+
+// Each part of the outer loop waits for a moment, so that no thread runs all parts. Negative control: the outer loop
+// runs on several threads.
+TEST(Threads, LoopInALoopRunsOnOneThread)
+{
+    std::vector<std::thread::id> outer(8);
+    std::vector<std::thread::id> inner(8 * 8);
+    parallel(8, 1, 4, [&](std::size_t first, std::size_t last) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        for (std::size_t i = first; i < last; ++i) {
+            outer[i] = std::this_thread::get_id();
+            parallel(8, 1, 4, [&](std::size_t from, std::size_t to) {
+                for (std::size_t j = from; j < to; ++j) inner[8 * i + j] = std::this_thread::get_id();
+            });
+        }
+    });
+    for (std::size_t k = 0; k < inner.size(); ++k) EXPECT_EQ(inner[k], outer[k / 8]) << k;
+    EXPECT_GT(std::set(outer.begin(), outer.end()).size(), 1U);
 }
 
 // Lanes take new rays while others march. The rays end after different numbers of steps, some of them at the limit.
