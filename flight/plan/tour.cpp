@@ -2,6 +2,7 @@
 #include "flight/plan/tour.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "flight/plan/search.h"
@@ -9,8 +10,11 @@
 namespace mandelmarch {
 namespace {
 
-constexpr double start_distance = 3;      // fractal sizes; distance of the tour's first point from the centre
-constexpr double start_clearance = 0.06;  // fractal sizes; least clearance of the ball to which the tour leads first
+constexpr double start_distance = 3;  // fractal sizes; distance of the tour's first point from the centre
+// Fractal sizes; least clearance of the ball to which the tour leads first. The second applies if the first leaves
+// fewer than few_starts balls.
+constexpr std::array start_clearances{0.1, 0.06};
+constexpr std::size_t few_starts = 8;
 constexpr int most_refused = 60;   // number of discarded parts that ends a tour; a Search::stroll() counts as five
 constexpr int most_detours = 5;    // number of gates left out on the way to a place after which none is tried
 constexpr double dear_gate = 130;  // clearances with penalties; a stroll is preferred to a gate farther away
@@ -129,12 +133,16 @@ private:
     {
         const Balls& balls = search_.roads(0).balls;
         std::vector<int> candidates;
-        for (std::size_t i = 0; i < balls.balls().size(); ++i) {
-            const Ball& ball = balls.balls()[i];
-            if (ball.clearance > start_clearance * search_.field(0).bounds().size &&
-                !search_.field(0).bounds().contains(ball.centre) && !balls.links(static_cast<int>(i)).empty()) {
-                candidates.push_back(static_cast<int>(i));
+        for (const double least : start_clearances) {
+            candidates.clear();
+            for (std::size_t i = 0; i < balls.balls().size(); ++i) {
+                const Ball& ball = balls.balls()[i];
+                if (ball.clearance > least * search_.field(0).bounds().size &&
+                    !search_.field(0).bounds().contains(ball.centre) && !balls.links(static_cast<int>(i)).empty()) {
+                    candidates.push_back(static_cast<int>(i));
+                }
             }
+            if (candidates.size() >= few_starts) break;
         }
         if (!visits_.empty() && visits_.front().gates == 0) {
             const auto behind = [&](int number) {
