@@ -176,5 +176,24 @@ TEST(Trajectory, BeginsLaterIfTheApproachIsTooLong)
     EXPECT_EQ(skipped(20, 0), 6);
 }
 
+// The camera flies one unit per frame along a line before its ends are eased.
+TEST(Trajectory, BeginsAndEndsAtRest)
+{
+    Trajectory ride;
+    for (int i = 0; i < 2450; ++i) {
+        ride.at.push_back({static_cast<double>(i), 0, 0});
+        ride.sample.push_back(2.0 * i);
+    }
+    ease_ends(ride, 2400);
+    const auto step = [&](std::size_t frame) { return ride.at[frame + 1].x - ride.at[frame].x; };
+    EXPECT_LT(step(0), 0.02);
+    EXPECT_NEAR(step(30), 0.5, 0.02);
+    EXPECT_NEAR(step(1200), 1, 1e-9);
+    EXPECT_NEAR(step(2399 - 30), 0.5, 0.02);
+    EXPECT_LT(step(2398), 0.02);
+    EXPECT_NEAR(step(2399), 1, 1e-9);
+    EXPECT_NEAR(ride.sample[1000], 2 * ride.at[1000].x, 1e-9);
+}
+
 }  // namespace
 }  // namespace mandelmarch
