@@ -21,7 +21,7 @@ void keep_moving(Curve& track, const Trajectory& ride, const std::vector<Frame>&
 // sets `skip` to their number.
 Trajectory ride_without(const Bounds& bounds, const Curve& track, double pace, int frames, int& skip);
 
-// Returns the number of frames to skip at the beginning so that at most 9 % of the frames are outside the bounds. The
+// Returns the number of frames to skip at the beginning so that at most 8 % of the frames are outside the bounds. The
 // number is at most 6 % of the frames, even if more would have to be skipped. `skip`: the number of frames that the
 // trajectory skips already.
 int shortened_by(const Bounds& bounds, const Trajectory& ride, int frames, int skip);

@@ -161,7 +161,7 @@ TEST(Trajectory, ChangesItsSpeedWithoutKinks)
     EXPECT_GT(jerk(step), 0.002);
 }
 
-// A flight is shortened if over 9 % of its frames are outside, by at most 6 %.
+// A flight is shortened if over 8 % of its frames are outside, by at most 6 %.
 TEST(Trajectory, BeginsLaterIfTheApproachIsTooLong)
 {
     const Bounds bounds{Bounds::Shape::sphere, 1};
@@ -170,9 +170,9 @@ TEST(Trajectory, BeginsLaterIfTheApproachIsTooLong)
         for (int i = 0; i < 100; ++i) ride.at.push_back({0, 0, i < outside ? 2.0 : 0.5});
         return shortened_by(bounds, ride, 100, skip);
     };
-    EXPECT_EQ(skipped(9, 0), 0);
-    EXPECT_EQ(skipped(12, 0), 3);
-    EXPECT_EQ(skipped(9, 3), 3);
+    EXPECT_EQ(skipped(8, 0), 0);
+    EXPECT_EQ(skipped(11, 0), 3);
+    EXPECT_EQ(skipped(8, 3), 3);
     EXPECT_EQ(skipped(20, 0), 6);
 }
 
