@@ -13,7 +13,7 @@ endif()
 # Reports missing packages in one line, before any file is made.
 find_program(PATCHELF patchelf)
 find_program(DPKG_QUERY dpkg-query)
-set(font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)
+set(font ${CMAKE_SYSROOT}/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)
 set(wanted patchelf:PATCHELF dpkg:DPKG_QUERY fonts-dejavu-core:font)
 if(DEFINED BUNDLE_GOMP_NVPTX)
     list(APPEND wanted libgomp-plugin-nvptx1:BUNDLE_GOMP_NVPTX)
@@ -107,8 +107,8 @@ endif()
 foreach(recipe Containerfile mandelmarch.def)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/${recipe}.in ${BUNDLE}/container/${recipe} @ONLY)
 endforeach()
-execute_process(COMMAND ${program} render --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE
-    COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} ${program} render --version
+    OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 set(drivers_carried "The bundle has no drivers for CPUs, so `opencl` and `vulkan` run only if the system
 has a driver")
 if(DRIVERS)

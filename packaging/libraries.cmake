@@ -34,6 +34,8 @@ endfunction()
 # already copied and those of glibc's package.
 function(carry_libraries folder rpath program files)
     file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${program} LIBRARIES ${files}
+        DIRECTORIES ${CMAKE_SYSROOT}/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}
+            ${CMAKE_SYSROOT}/lib/${CMAKE_LIBRARY_ARCHITECTURE}
         PRE_EXCLUDE_REGEXES "^(ld-linux.*|libc|libm|libdl|libpthread|librt|libresolv|libutil|libanl)\\.so"
         RESOLVED_DEPENDENCIES_VAR found UNRESOLVED_DEPENDENCIES_VAR unknown)
     if(unknown)

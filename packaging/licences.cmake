@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copies the licences that Debian's packages state for the bundled files, and lists the files with their licences. Needs
-# BUNDLE, DPKG_QUERY, PROJECT_SOURCE_DIR.
+# BUNDLE, DPKG_QUERY, PROJECT_SOURCE_DIR, and CMAKE_SYSROOT if the bundle is for another processor.
+
+set(dpkg_database --admindir=${CMAKE_SYSROOT}/var/lib/dpkg)
 
 # package_of(VARIABLE FILE): sets VARIABLE to the package that contains FILE. If FILE is under /usr/lib, also looks for
 # it under /lib, where its package may still list it.
 function(package_of variable file)
+    cmake_path(RELATIVE_PATH file BASE_DIRECTORY "${CMAKE_SYSROOT}/")
+    string(PREPEND file /)
     string(REGEX REPLACE "^/usr/lib" "/lib" old ${file})
     foreach(path ${file} ${old})
-        execute_process(COMMAND ${DPKG_QUERY} -S ${path} OUTPUT_VARIABLE line RESULT_VARIABLE failed ERROR_QUIET)
+        execute_process(COMMAND ${DPKG_QUERY} ${dpkg_database} -S ${path}
+            OUTPUT_VARIABLE line RESULT_VARIABLE failed ERROR_QUIET)
         if(NOT failed)
             string(REGEX REPLACE "[:,].*" "" package "${line}")
             set(${variable} ${package} PARENT_SCOPE)
@@ -23,7 +28,7 @@ function(carry_licence package)
     if(EXISTS ${copy})
         return()
     endif()
-    get_filename_component(licence /usr/share/doc/${package}/copyright REALPATH)
+    get_filename_component(licence ${CMAKE_SYSROOT}/usr/share/doc/${package}/copyright REALPATH)
     if(NOT EXISTS ${licence})
         say_and_end("${package} has no copyright file")
     endif()
@@ -66,8 +71,8 @@ function(write_licences)
     endforeach()
     # Also lists the header-only libraries, because they are compiled into the programs.
     foreach(header CLI/CLI.hpp nlohmann/json.hpp boost/version.hpp vulkan/vulkan_raii.hpp CL/opencl.hpp)
-        if(EXISTS /usr/include/${header})
-            package_of(package /usr/include/${header})
+        if(EXISTS ${CMAKE_SYSROOT}/usr/include/${header})
+            package_of(package ${CMAKE_SYSROOT}/usr/include/${header})
             package_version(version ${package})
             carry_licence(${package})
             row("(compiled into bin/mandelmarch)" - ${package} ${version} share/licences/${package})
@@ -80,7 +85,8 @@ function(write_licences)
 endfunction()
 
 function(package_version variable package)
-    execute_process(COMMAND ${DPKG_QUERY} -W "-f=\${Version}\\n" ${package} OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${DPKG_QUERY} ${dpkg_database} -W "-f=\${Version}\\n" ${package}
+        OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
     string(REGEX REPLACE "\n.*" "" version "${version}")
     set(${variable} ${version} PARENT_SCOPE)
 endfunction()
