@@ -43,7 +43,7 @@ demo: ## both official scenes on every backend, compared and timed, a film and a
 
 # The build that is tested: the one for this machine alone, unless PRESET is given.
 TESTED := $(if $(filter file,$(origin PRESET)),native,$(PRESET))
-test: ## all tests of a build for this machine (9 min after `make demo`, with set-up and build)
+test: ## all tests of a build for this machine (14 min with set-up and build, or 9 after `make demo`)
 	@tools/setup tests
 	@tools/build $(TESTED) all
 	@tools/python_packages
