@@ -76,12 +76,13 @@ void ease_ends(Trajectory& ride, int frames)
         return frame - begun + (begun * begun - ended * ended) / (2 * easing);
     };
     Trajectory eased;
-    for (std::size_t i = 0; i + 1 < ride.at.size(); ++i) {
+    for (std::size_t i = 0; i < ride.at.size(); ++i) {
         const double old = old_frame(static_cast<double>(i));
-        const auto k = static_cast<std::size_t>(old);
-        const double share = old - static_cast<double>(k);
-        eased.at.push_back((1 - share) * ride.at[k] + share * ride.at[k + 1]);
-        eased.sample.push_back((1 - share) * ride.sample[k] + share * ride.sample[k + 1]);
+        const auto from = static_cast<std::size_t>(old);
+        const std::size_t to = std::min(from + 1, ride.at.size() - 1);
+        const double share = old - static_cast<double>(from);
+        eased.at.push_back((1 - share) * ride.at[from] + share * ride.at[to]);
+        eased.sample.push_back((1 - share) * ride.sample[from] + share * ride.sample[to]);
     }
     ride = std::move(eased);
 }

@@ -185,6 +185,8 @@ TEST(Trajectory, BeginsAndEndsAtRest)
         ride.sample.push_back(2.0 * i);
     }
     ease_ends(ride, 2400);
+    ASSERT_EQ(ride.at.size(), 2450U);
+    ASSERT_EQ(ride.sample.size(), 2450U);
     const auto step = [&](std::size_t frame) { return ride.at[frame + 1].x - ride.at[frame].x; };
     EXPECT_LT(step(0), 0.02);
     EXPECT_NEAR(step(30), 0.5, 0.02);
