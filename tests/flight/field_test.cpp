@@ -74,7 +74,7 @@ TEST(DistanceField, TheSameBitsOnAnyNumberOfThreads)
 TEST(Threads, LoopInALoopRunsOnOneThread)
 {
     std::vector<std::thread::id> outer(8);
-    std::vector<std::thread::id> inner(8 * 8);
+    std::vector<std::thread::id> inner(64);
     parallel(8, 1, 4, [&](std::size_t first, std::size_t last) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         for (std::size_t i = first; i < last; ++i) {
