@@ -19,11 +19,7 @@ constexpr double one_depth = 1.25;   // ratio of the depths between which 95 % o
 constexpr double near_wall = 2;      // clearances
 constexpr double filling = 0.9;      // fraction of the pixels
 
-constexpr double far = 12;        // fractal sizes; largest length of a ray
 constexpr double coarse = 0.008;  // hit tolerance, as a fraction of the ray's length so far
-// A ray with more steps counts as a hit. Rays that pass the outer faces of a Mandelbox closely take more than 100 steps
-// into the sky; with 3000 steps, the audited values of ten flights were the same.
-constexpr int most_steps = 250;
 
 Camera camera_at(const Frame& frame)
 {
@@ -121,7 +117,7 @@ std::vector<DepthView> views_of(const DistanceField& field, std::span<const Fram
         for (int k = 0; k < view_pixels; ++k) along.push_back(direction_of(camera, k));
     }
     std::vector<double> t(from.size());
-    const double end = far * field.bounds().size;
+    const double end = farthest_seen * field.bounds().size;
     field.casts(from, along, {.floor = 0, .tolerance = coarse, .end = end, .steps = most_steps}, t);
     std::vector<DepthView> views(frames.size());
     for (std::size_t i = 0; i < t.size(); ++i) {

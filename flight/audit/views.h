@@ -17,6 +17,11 @@ inline constexpr int view_width = 32;   // pixels
 inline constexpr int view_height = 18;  // pixels
 inline constexpr int view_pixels = view_width * view_height;
 
+// Limits of the rays of views and of panoramas. A ray with more steps counts as a hit. Rays that pass an outer face of
+// a Mandelbox closely take over 100 steps into the sky.
+inline constexpr double farthest_seen = 12;  // fractal sizes; largest length
+inline constexpr int most_steps = 250;
+
 // The reason why a view is dull; `lively` if it is not.
 // empty: less than 15 % of the pixels hit something.
 // one_depth: the depths of 95 % of the pixels differ by less than 25 %.
