@@ -154,6 +154,8 @@ private:
             const int count = (pixels + of_item * of_group - 1) / (of_item * of_group);
             return static_cast<std::size_t>(count) * static_cast<std::size_t>(of_group);
         };
+        const std::size_t all_columns = items(columns, item_width, group_width);
+        const std::size_t all_lines = items(lines, item_height, group_height);
         kernel_.setArg(0, constants_);
         kernel_.setArg(1, band.first_row);
         kernel_.setArg(2, band.rows);
@@ -168,9 +170,9 @@ private:
         kernel_.setArg(11, depths_);
         kernel_.setArg(12, band.lattice.before);
         kernel_.setArg(13, band.lattice.apart);
-        return launched(
-            kernel_, cl::NDRange(items(columns, item_width, group_width), items(lines, item_height, group_height)),
-            cl::NDRange(static_cast<std::size_t>(group_width), static_cast<std::size_t>(group_height)), doing);
+        return launched(kernel_, cl::NDRange(all_columns, lanes_ > 1 ? std::bit_ceil(all_lines) : all_lines),
+                        cl::NDRange(static_cast<std::size_t>(group_width), static_cast<std::size_t>(group_height)),
+                        doing);
     }
 
     cl::Event launched(const cl::Kernel& kernel, const cl::NDRange& all, const cl::NDRange& group, const char* doing)

@@ -2,7 +2,7 @@
 // The kernel of the OpenCL backend: a work item renders a pixel, or with vectors a strip of pixels.
 #include "core/kernel/prelude/opencl.h"
 #include "core/kernel/text.h"
-#define MM_TRUNCATED(x) ((int)(x))
+#define MM_TRUNCATED MM_TO_INT
 #include "core/kernel/bytes.h"
 
 // Destination of finished pixels. If `bytes_alone` is set, a pixel is three bytes; otherwise it is one value in each
@@ -15,14 +15,15 @@ struct Target {
     int bytes_alone;
 };
 
+// Stores a result of bytes_of().
+FN void put_bytes(Target target, long at, int bytes)
+{
+    vstore3((uchar3)((uchar)bytes, (uchar)(bytes >> 8), (uchar)(bytes >> 16)), at, target.bytes);
+}
+
 FN void put(Target target, long at, scalar red, scalar green, scalar blue, scalar depth, int steps, int de_calls,
             int iterations)
 {
-    if (target.bytes_alone != 0) {
-        uchar3 bytes = (uchar3)((uchar)byte_of(red), (uchar)byte_of(green), (uchar)byte_of(blue));
-        vstore3(bytes, at, target.bytes);
-        return;
-    }
     target.reals[at] = red;
     target.reals[target.pixels + at] = green;
     target.reals[2 * target.pixels + at] = blue;
@@ -113,10 +114,20 @@ __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long p
     Ray ray = begin(*scene, x, first_row + y);
     ray.t = larger(tile_start(starts, x, y), ray.t);
     Pixel pixel = drawn(*scene, march(*scene, ray, scene->max_steps));
-    put(target, (long)y * scene->width + x, pixel.colour.x, pixel.colour.y, pixel.colour.z, pixel.depth, pixel.steps,
-        pixel.de_calls, pixel.iterations);
+    long at = (long)y * scene->width + x;
+    if (bytes_alone != 0) {
+        put_bytes(target, at, bytes_of(pixel.colour));
+    } else {
+        put(target, at, pixel.colour.x, pixel.colour.y, pixel.colour.z, pixel.depth, pixel.steps, pixel.de_calls,
+            pixel.iterations);
+    }
 #else
-    int cell = before > 0 ? before : apart;
+    // PoCL gives each thread a range of consecutive work groups; on two cores, the first range is half of all groups.
+    // For ranges of about equal cost, consecutive rows of groups render strips that are far apart. The number of rows
+    // is a power of two, so that multiplying by an odd number permutes them.
+    int lines_of_groups = (int)get_global_size(1);
+    y = y * (lines_of_groups * 5 / 8 | 1) % lines_of_groups;
+    int cell = cell_side(starts);
     int columns = tiles_along(scene->width, cell);
     int lines = tiles_along(rows, cell);
     Strip strip = {x * width, min(x * width + width, columns), y * MM_STRIP, min(y * MM_STRIP + MM_STRIP, lines),

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders a strip of pixels with refill: a lane whose ray has ended takes the strip's next ray (persistent threads:
 // Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). Hits are collected until they
-// fill a vector, which is then shaded. A pixel's result does not depend on the lane that computes it.
+// fill a vector, which is then shaded. A pixel's result does not depend on the lane that computes it. Loops over the
+// fields of a lane are unrolled, as clang would otherwise gather and scatter the fields as vectors, which is slower.
 
 // While the strip has rays left, idle lanes are refilled as soon as fewer than MM_BUSY lanes are marching.
 #define MM_BUSY (MM_LANES - MM_LANES / 8)
-
-// Returns the mask as bits: bit n is set if lane n is active.
-FN uint bits_of(mask on)
-{
-    union Wholes lanes = {on};
-    uint bits = 0;
-    for (int lane = 0; lane < MM_LANES; ++lane) bits += (uint)lanes.of[lane] & (1u << lane);
-    return bits;
-}
 
 FN int lowest_of(uint bits) { return (int)popcount((bits & -bits) - 1); }
 
@@ -24,7 +16,10 @@ struct Queue {
     int place;
     uint waiting;  // bit n: no lane has taken the block's ray n yet
     int at[MM_LANES];
-    union Reals reals[6];  // direction, end, t, last_t
+    union Reals reals[6];    // direction, end, t, last_t
+    union Reals from_cones;  // the t at which the cones of the cells' tiles have ended
+    union Reals least;       // min of the depths of the cells' neighbours, for neighbour_start()
+    union Reals greatest;    // max of these depths
 };
 
 // The rays in the lanes: one vector for each field of a Ray, and the room of a LatticeRay.
@@ -43,39 +38,30 @@ struct Ended {
     int size;
 };
 
-// The t at which the rays of a block's pixels begin.
-struct BlockStarts {
-    union Reals from_cones;
-    union Reals least;     // min of the depths of the neighbours, for neighbour_start()
-    union Reals greatest;  // max of these depths
-};
-
-// Returns the depth that the pixel (x, y) of the band has passed on; unclear_miss() outside the band.
-FN scalar neighbour_depth(Starts starts, int x, int y, int width, int rows)
+// Finds where the rays of a block of cells can begin. All pixels of a cell have the same tile and the same neighbours:
+// the lower left pixels of the cell and of the cells to the right, above, and above and to the right.
+FN void find_starts(Starts starts, int width, int rows, Queue* queue)
 {
-    return x < width && y < rows ? starts.depths[(y * width + x) / 2] : 0;
-}
-
-FN BlockStarts block_starts(Starts starts, Block block, int place, int width, int rows)
-{
-    int side = starts.before;
-    BlockStarts found;
-    for (int lane = 0; lane < MM_LANES; ++lane) {
-        bool inside = block.at[lane] >= 0;
-        found.from_cones.of[lane] = inside ? tile_start(starts, block.x[lane], block.y[lane]) : 0;
-        found.least.of[lane] = 0;
-        found.greatest.of[lane] = 0;
-        if (side == 0 || !inside) continue;
-        int x = block.x[lane] - place % 2 * starts.apart;
-        int y = block.y[lane] - place / 2 * starts.apart;
-        scalar a = neighbour_depth(starts, x, y, width, rows);
-        scalar b = neighbour_depth(starts, x + side, y, width, rows);
-        scalar c = neighbour_depth(starts, x, y + side, width, rows);
-        scalar d = neighbour_depth(starts, x + side, y + side, width, rows);
-        found.least.of[lane] = fmin(fmin(a, b), fmin(c, d));
-        found.greatest.of[lane] = fmax(fmax(a, b), fmax(c, d));
+    int side = cell_side(starts);
+    scalar depths[MM_HEIGHT + 1][MM_WIDTH + 1];
+    for (int row = 0; row <= MM_HEIGHT; ++row) {
+        for (int column = 0; column <= MM_WIDTH; ++column) {
+            int x = (queue->x + column) * side;
+            int y = (queue->y + row) * side;
+            bool inside = x < width && y < rows;
+            // Outside the band there is unclear_miss().
+            depths[row][column] = inside && starts.before > 0 ? starts.depths[(y * width + x) / 2] : 0;
+            if (row == MM_HEIGHT || column == MM_WIDTH) continue;
+            queue->from_cones.of[row * MM_WIDTH + column] = inside ? tile_start(starts, x, y) : 0;
+        }
     }
-    return found;
+#pragma unroll
+    for (int lane = 0; lane < MM_LANES; ++lane) {
+        const scalar* low = &depths[lane / MM_WIDTH][lane % MM_WIDTH];
+        const scalar* high = low + MM_WIDTH + 1;
+        queue->least.of[lane] = fmin(fmin(low[0], low[1]), fmin(high[0], high[1]));
+        queue->greatest.of[lane] = fmax(fmax(low[0], low[1]), fmax(high[0], high[1]));
+    }
 }
 
 // Stores the depths that the rays in the lanes `some` pass on, if the lattice has later ones.
@@ -94,7 +80,7 @@ FN void pass_on(Starts starts, const int* at, uint some, real passed)
 FN void begin_block(__constant Scene* scene, Strip strip, Starts starts, Target target, Queue* queue)
 {
     Block block = block_at(strip, starts, queue->x, queue->y, queue->place, scene->width);
-    BlockStarts found = block_starts(starts, block, queue->place, scene->width, strip.rows);
+    if (queue->place < 2) find_starts(starts, scene->width, strip.rows, queue);
     union Reals i;
     union Reals j;
     uint inside = 0;
@@ -103,8 +89,8 @@ FN void begin_block(__constant Scene* scene, Strip strip, Starts starts, Target 
         j.of[lane] = (scalar)(strip.first_row + block.y[lane]);
         if (block.at[lane] >= 0) inside |= 1u << lane;
     }
-    LatticeRay begun = begin_lattice(*scene, begin(*scene, i.all, j.all), found.from_cones.all,
-                                     neighbour_start(*scene, found.least.all, found.greatest.all));
+    LatticeRay begun = begin_lattice(*scene, begin(*scene, i.all, j.all), queue->from_cones.all,
+                                     neighbour_start(*scene, queue->least.all, queue->greatest.all));
     uint marches = inside & bits_of(marching(*scene, begun.ray));
     queue->waiting = marches;
     for (int lane = 0; lane < MM_LANES; ++lane) {
@@ -139,21 +125,25 @@ FN bool rays_wait(Strip strip, const Queue* queue) { return queue->waiting != 0 
 FN void take(__constant Scene* scene, Strip strip, Starts starts, Target target, Queue* queue, Lanes* lanes,
              uint free)
 {
+    union Wholes begun = {0};
     for (; free != 0 && rays_wait(strip, queue); free &= free - 1) {
         int lane = lowest_of(free);
         while (queue->waiting == 0 && rays_wait(strip, queue)) begin_block(scene, strip, starts, target, queue);
-        if (queue->waiting == 0) return;
+        if (queue->waiting == 0) break;
         int from = lowest_of(queue->waiting);
         queue->waiting &= queue->waiting - 1;
+#pragma unroll
         for (int field = 0; field < 6; ++field) lanes->reals[field].of[lane] = queue->reals[field].of[from];
-        lanes->reals[6].of[lane] = scene->end;
-        lanes->reals[7].of[lane] = 0;
-        lanes->reals[8].of[lane] = scene->end;
-        lanes->reals[9].of[lane] = scene->end;
-        for (int field = 0; field < 3; ++field) lanes->wholes[field].of[lane] = 0;
         lanes->at[lane] = queue->at[from];
         lanes->taken |= 1u << lane;
+        begun.of[lane] = -1;
     }
+    real end = scene->end;
+    lanes->reals[6].all = pick(begun.all, end, lanes->reals[6].all);
+    lanes->reals[7].all = pick(begun.all, 0, lanes->reals[7].all);
+    lanes->reals[8].all = pick(begun.all, end, lanes->reals[8].all);
+    lanes->reals[9].all = pick(begun.all, end, lanes->reals[9].all);
+    for (int field = 0; field < 3; ++field) lanes->wholes[field].all &= ~begun.all;
 }
 
 FN LatticeRay ray_of(const Lanes* lanes)
@@ -204,7 +194,9 @@ FN void leave(__constant Scene* scene, const Lanes* lanes, uint done, Hit hit, T
     for (; hits != 0; hits &= hits - 1) {
         int lane = lowest_of(hits);
         int place = ended->size++;
+#pragma unroll
         for (int field = 0; field < 9; ++field) ended->reals[field][place] = reals[field].of[lane];
+#pragma unroll
         for (int field = 0; field < 3; ++field) ended->wholes[field][place] = lanes->wholes[field].of[lane];
         ended->at[place] = lanes->at[lane];
     }

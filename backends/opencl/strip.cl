@@ -27,6 +27,13 @@ struct Strip {
 // Stores the pixels of the first `size` lanes. `at` contains each pixel's index in a plane; -1: not stored.
 FN void put_lanes(Target target, const int* at, int size, Pixel pixel)
 {
+    if (target.bytes_alone != 0) {
+        union Wholes bytes = {bytes_of(pixel.colour)};
+        for (int lane = 0; lane < size; ++lane) {
+            if (at[lane] >= 0) put_bytes(target, at[lane], (int)bytes.of[lane]);
+        }
+        return;
+    }
     union Reals red = {pixel.colour.x};
     union Reals green = {pixel.colour.y};
     union Reals blue = {pixel.colour.z};
@@ -49,11 +56,13 @@ struct Block {
     int at[MM_LANES];
 };
 
+FN int cell_side(Starts starts) { return starts.before > 0 ? starts.before : starts.apart; }
+
 // Returns the pixels at a place of the cells from (x, y) on. A first lattice has the place 0 only, later ones have 1 to
 // 3: to the right of the cell's lower left pixel, above it, and above and to the right.
 FN Block block_at(Strip strip, Starts starts, int x, int y, int place, int width)
 {
-    int side = starts.before > 0 ? starts.before : starts.apart;
+    int side = cell_side(starts);
     Block block;
     for (int lane = 0; lane < MM_LANES; ++lane) {
         int column = x + lane % MM_WIDTH;

@@ -172,8 +172,7 @@ void main()
     if ((stages & stage_shade) != 0) {
         Pixel done = shade(scene, hit);
         if ((stages & stage_bytes) != 0) {
-            int word = byte_of(done.colour.x) | byte_of(done.colour.y) << 8 | byte_of(done.colour.z) << 16;
-            wholes[pixel] = word;
+            wholes[pixel] = bytes_of(done.colour);
             steps_or_cut_off(0);
             return;
         }

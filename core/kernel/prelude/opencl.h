@@ -13,10 +13,10 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #endif
 
-// Defines MM_AVX512 if approximations of AVX-512 can be used: in fast mode, for vectors of one or more of its
-// registers.
-#if !MM_EXACT && defined(__AVX512F__) && defined(__has_builtin) && MM_LANES >= (MM_REAL_IS_FLOAT ? 16 : 8)
-#if __has_builtin(__builtin_ia32_rcp14ps512_mask) && __has_builtin(__builtin_ia32_rsqrt14pd512_mask)
+// Defines MM_AVX512 if vectors have one or more registers of AVX-512 and the compiler has the functions for them.
+#if defined(__AVX512DQ__) && defined(__has_builtin) && MM_LANES >= (MM_REAL_IS_FLOAT ? 16 : 8)
+#if __has_builtin(__builtin_ia32_rcp14ps512_mask) && __has_builtin(__builtin_ia32_rsqrt14pd512_mask) && \
+    __has_builtin(__builtin_ia32_cvtd2mask512) && __has_builtin(__builtin_ia32_cvtq2mask512)
 #define MM_AVX512
 #endif
 #endif
@@ -95,11 +95,43 @@ FN real pick(mask on, real a, real b) { return on ? a : b; }
 
 FN whole count(mask on) { return on & 1; }
 
-// Combines the halves of a mask until two lanes are left. This replaces the any() of OpenCL, which some drivers compute
-// by testing the lanes one by one.
+// Returns the mask as bits: bit n is set if lane n is active.
+FN uint bits_of(mask on)
+{
+    uint bits = 0;
+#if !defined(MM_AVX512)
+    union {
+        mask all;
+        MM_INT of[MM_LANES];
+    } lanes = {on};
+    for (int lane = 0; lane < MM_LANES; ++lane) bits += (uint)lanes.of[lane] & (1u << lane);
+#elif MM_REAL_IS_FLOAT
+    union {
+        mask all;
+        int16 of[MM_LANES / 16];
+    } registers = {on};
+#pragma unroll
+    for (int n = 0; n < MM_LANES / 16; ++n)
+        bits |= (uint)(ushort)__builtin_ia32_cvtd2mask512(registers.of[n]) << 16 * n;
+#else
+    union {
+        mask all;
+        long8 of[MM_LANES / 8];
+    } registers = {on};
+#pragma unroll
+    for (int n = 0; n < MM_LANES / 8; ++n) bits |= (uint)(uchar)__builtin_ia32_cvtq2mask512(registers.of[n]) << 8 * n;
+#endif
+    return bits;
+}
+
 #undef any
 #define any(on) any_lane(on)
 
+#ifdef MM_AVX512
+FN bool any_lane(mask on) { return bits_of(on) != 0; }
+#else
+// Combines the halves of a mask until two lanes are left. This replaces the any() of OpenCL, which some drivers compute
+// by testing the lanes one by one.
 FN bool any_lane(mask on)
 {
 #if MM_LANES == 32
@@ -124,6 +156,7 @@ FN bool any_lane(mask on)
 #endif
     return (two.x | two.y) != 0;
 }
+#endif
 #endif
 
 typedef struct Vec3 {

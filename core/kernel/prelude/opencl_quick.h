@@ -27,7 +27,7 @@ FN real larger(real a, real b) { return fmax(a, b); }
 
 FN real smaller(real a, real b) { return fmin(a, b); }
 
-#elif defined(MM_AVX512)
+#elif defined(MM_AVX512) && !MM_EXACT
 // first_reciprocal() and first_inverse_root() return 1 / a and 1 / sqrt(a), accurate to 14 bits, by one instruction for
 // each register.
 #if MM_REAL_IS_FLOAT
