@@ -70,7 +70,8 @@ Registry backends_of(bool isolates_drivers, const std::vector<std::string>& open
         if (make != nullptr) {
             add(make());
         } else {
-            backends.push_back(without_backend(name, "not built"));
+            backends.push_back(
+                without_backend(name, "not built; `make build` builds every backend whose tools are installed"));
         }
     }
     return Registry(std::move(backends));

@@ -57,8 +57,9 @@ def convergence(results, key="convergence"):
 
 
 def own_lines(results, backend):
-    """Lines of code in a backend's own folder."""
-    return str(next(m["lines"] for m in results.json("code_divergence")["models"] if m["backend"] == backend))
+    """Lines of code in a backend's own folder and, if it shares core/job, those that it uses of core/job."""
+    model = next(model for model in results.json("code_divergence")["models"] if model["backend"] == backend)
+    return f"{model['lines']} + {model['lines_of_job']}" if model["lines_of_job"] else str(model["lines"])
 
 
 def cost(results, technique, fractal, precision):
@@ -131,6 +132,16 @@ def over_openmp(results, study, backend):
     if not found:
         raise InputError(f"{study}.json has no rows of {backend}")
     return range_of([ratio_of(results, study, "others_to_host", row)[0] for row in found])
+
+
+def over_cuda(results, device, step, backend):
+    """Range of a backend's kernel times of fast pictures on a GPU divided by cuda's. `step`: the step of gpu_check that
+    timed the backend."""
+    rows = [row for row in rows_of(results, f"{device}/t-{step}") if row.mode == "fast"]
+    ratios = [row.kernel.median / row_of(results, f"{device}/t-cuda", *row.kind, "cuda").kernel.median for row in rows]
+    if not rows or any(row.backend != backend for row in rows):
+        raise InputError(f"{device}/t-{step}.json has rows of other backends than {backend}, or none")
+    return range_of(ratios)
 
 
 def work_over_openmp(results, study, backend):
@@ -219,6 +230,7 @@ NUMBERS = {
     "model-cost": model_cost,
     "ms": ms,
     "one-register": one_register,
+    "over-cuda": over_cuda,
     "over-openmp": over_openmp,
     "over-scalar": over_scalar,
     "own-lines": own_lines,

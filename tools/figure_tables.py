@@ -196,11 +196,11 @@ def aloud(results, name):
         table(ROW_HEAD[:-2], [row_cells(results, name, row)[:-2]]),
         "",
         f"In words: in fast mode and float `openmp` draws the Mandelbox at {width} x {height} in",
-        f"{1e3 * row.kernel.median:.1f} ms, the median of {row.kernel.count} pictures. The true median lies between {low:.1f} and {high:.1f} ms "
-        "with 95 %",
+        f"{1e3 * row.kernel.median:.1f} ms, the median of {row.kernel.count} pictures in {results.bench(name).data['runs']} runs. The true median "
+        f"lies between {low:.1f} and {high:.1f} ms with 95 %",
         f"confidence. {100 * row.visibly_off:.1f} % of the pixels differ visibly from the reference's canonical picture. The counted operations",
-        f"take {100 * row.figures['share_of_peak']:.0f} % of the processor's measured multiply-add peak. The serial reference "
-        f"takes {serial} times as long.",
+        f"take {100 * row.figures['share_of_peak']:.0f} % of the processor's measured multiply-add peak. The serial reference, in double and exact",
+        f"mode, takes {serial} times as long.",
     ])
 
 

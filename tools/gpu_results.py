@@ -69,16 +69,22 @@ def rows_of(folder):
 
 
 def times(folder, device):
-    """Returns a line for each fractal, precision and mode, with the kernel milliseconds of each backend."""
+    """Returns words for the number of pictures and their size, empty if there are none, and a table: the kernel
+    milliseconds of each backend, for each fractal, precision and mode."""
     expected = expected_times(device)
-    lines = {}
+    sizes, counts, cells = set(), set(), {}
     for row in rows_of(folder):
         kind = row["fractal"], row["precision"], row["mode"]
         milliseconds = 1000 * row["figures"]["kernel_seconds"]["median"]
         low, high = expected.get((row["backend"], *kind), (None, None))
         beside = "" if low is None else f" ({low:.3g} to {high:.3g})"
-        lines.setdefault(kind, []).append(f"{row['backend']} {milliseconds:.4g}{beside}")
-    return [f"- {' '.join(kind)}: {', '.join(cells)}" for kind, cells in sorted(lines.items())]
+        cells.setdefault(kind, {})[row["backend"]] = f"{milliseconds:.4g}{beside}"
+        counts.add(len(row["samples"]))
+        sizes.add(f"{row['setting']['width']} x {row['setting']['height']}")
+    timed = [name for name in BACKENDS if any(name in row for row in cells.values())]
+    table = [f"| picture | {' | '.join(timed)} |", "|---" * (len(timed) + 1) + "|"]
+    table += [f"| {' '.join(kind)} | {' | '.join(row.get(name, '-') for name in timed)} |" for kind, row in sorted(cells.items())]
+    return f"{min(counts)} to {max(counts)} pictures of {', '.join(sorted(sizes))}" if cells else "", table
 
 
 def page(folder, device, steps):
@@ -94,8 +100,10 @@ def page(folder, device, steps):
     same = [name for name in tried if steps[name][0] == "passed"]
     summary += ["", f"- Same bits as the host: {', '.join(same) or 'no backend'}."]
     summary += [f"- {name}: {steps[name][2] or steps[name][0]}." for name in tried if name not in same]
-    if measured := times(folder, device):
-        summary += ["", "Kernel times in ms, with the expected range in brackets:", "", *measured]
+    pictures, table = times(folder, device)
+    if pictures:
+        summary += ["", f"Median kernel times in ms of {pictures}, in a single run, with the expected range in brackets",
+                    "([why many are longer](../../../docs/gpu-predictions.md#beside-measured-times)):", "", *table]
     broken = [(name, *step) for name, step in steps.items() if step[0] in ("failed", "late") and name not in BACKENDS]
     if broken:
         summary += ["", *(f"- Step {name} {result}: {words or 'no output'}" for name, result, _, words in broken)]

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Commands on stored results.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <memory>
+#include <set>
 
 #include "bench/command/commands.h"
 #include "bench/judge/compare.h"
+#include "bench/judge/differences.h"
 #include "bench/command/outputs.h"
 #include "bench/judge/portability.h"
 #include "bench/files/result_file.h"
@@ -38,6 +43,13 @@ std::vector<Result> results_in(const std::vector<std::string>& files)
     }
     if (results.empty())
         throw InputError("bench portability: no result of bench among the files, expected one at least");
+    std::set<std::string> revisions;
+    for (const Result& result : results) {
+        const Json revision = value_at(result.environment, "/git/revision");
+        revisions.insert(revision.is_string() ? printable(revision.get<std::string>().substr(0, 8), 8) : "unknown");
+    }
+    if (revisions.size() > 1)
+        say("bench: warning: these results are of different revisions: {}\n", fmt::join(revisions, ", "));
     return results;
 }
 

@@ -127,7 +127,8 @@ public:
                 on.application = best(platform, seconds) / on.seconds;
                 const Entry& entry = entries_.at({application, platform});
                 const Peak* peak = peak_of(*entry.result, platform, entry.row->precision);
-                if (peak != nullptr && peak->rate > 0) {
+                on.architecture.reset();
+                if (peak != nullptr && peak->rate > 0 && entry.row->operations > 0) {
                     on.architecture = entry.row->operations / on.seconds / peak->rate;
                 }
             }
@@ -153,11 +154,23 @@ private:
     std::map<std::pair<std::string, std::string>, Entry> entries_;                   // by application and platform
 };
 
-double mean_of(const std::vector<OnPlatform>& platforms, double OnPlatform::*efficiency)
+double by_application(const std::vector<OnPlatform>& platforms)
 {
     std::vector<double> efficiencies;
-    efficiencies.reserve(platforms.size());
-    for (const OnPlatform& on : platforms) efficiencies.push_back(on.*efficiency);
+    for (const OnPlatform& on : platforms) efficiencies.push_back(on.application);
+    return performance_portability(efficiencies);
+}
+
+// Returns nothing if all platforms are supported, but a platform's peak is not known.
+std::optional<double> by_architecture(const std::vector<OnPlatform>& platforms)
+{
+    std::vector<double> efficiencies;
+    for (const OnPlatform& on : platforms) {
+        if (!on.architecture) continue;
+        if (*on.architecture == 0) return 0;
+        efficiencies.push_back(*on.architecture);
+    }
+    if (efficiencies.size() < platforms.size()) return std::nullopt;
     return performance_portability(efficiencies);
 }
 
@@ -193,20 +206,22 @@ Portability of(const Problem& problem, const PlatformTimes& field, const std::st
     p.application = application;
     p.not_measured = field.not_measured(application);
     p.platforms = field.efficiencies(application, field.seconds(nullptr));
-    p.application_portability = mean_of(p.platforms, &OnPlatform::application);
-    p.architecture_portability = mean_of(p.platforms, &OnPlatform::architecture);
+    p.application_portability = by_application(p.platforms);
+    p.architecture_portability = by_architecture(p.platforms);
     // The metric is computed from many random draws of the kernel times (drawn()). The intervals are percentiles of
     // these values.
     std::mt19937_64 random(1);
-    std::vector<double> by_application;
-    std::vector<double> by_architecture;
+    std::vector<double> of_application;
+    std::vector<double> of_architecture;
     for (int i = 0; i < draws; ++i) {
         const std::vector<OnPlatform> again = field.efficiencies(application, field.seconds(&random));
-        by_application.push_back(mean_of(again, &OnPlatform::application));
-        by_architecture.push_back(mean_of(again, &OnPlatform::architecture));
+        of_application.push_back(by_application(again));
+        of_architecture.push_back(by_architecture(again).value_or(0));
     }
-    p.application_interval = middle_of(std::move(by_application), p.application_portability);
-    p.architecture_interval = middle_of(std::move(by_architecture), p.architecture_portability);
+    p.application_interval = middle_of(std::move(of_application), p.application_portability);
+    if (p.architecture_portability) {
+        p.architecture_interval = middle_of(std::move(of_architecture), *p.architecture_portability);
+    }
     p.cascade = cascade_of(p.platforms);
     return p;
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,9 +26,10 @@ double performance_portability(std::span<const double> efficiencies);
 // wrong.
 struct OnPlatform {
     std::string platform;
-    double seconds = 0;       // median kernel time
-    double application = 0;   // application efficiency: best time of any backend on the platform / this time
-    double architecture = 0;  // architectural efficiency: share of the measured multiply-add peak
+    double seconds = 0;      // median kernel time
+    double application = 0;  // application efficiency: best time of any backend on the platform / this time
+    std::optional<double> architecture =
+        0;  // architectural efficiency: share of the multiply-add peak, if it was measured
 };
 
 // A step of a cascade. A cascade adds one platform after the other, in the order of falling application efficiency.
@@ -49,8 +51,10 @@ struct Portability {
     std::vector<OnPlatform> platforms;  // H
     // Platforms that occur only in results without this application; not in H.
     std::vector<std::string> not_measured;
-    double application_portability = 0, architecture_portability = 0;
-    Interval application_interval, architecture_interval;  // 95 %, from resampled times
+    double application_portability = 0;
+    Interval application_interval;                       // 95 %, from resampled times, as is the other interval
+    std::optional<double> architecture_portability = 0;  // empty: the peak of a supported platform was not measured
+    std::optional<Interval> architecture_interval;
     std::vector<CascadeStep> cascade;
 };
 

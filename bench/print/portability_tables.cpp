@@ -95,12 +95,14 @@ std::string to_console(const std::vector<Portability>& portabilities)
         if (p.platforms.empty()) continue;
         text += fmt::format(fmt::runtime(line), printable(p.problem, 100), name_of(p.precision), name_of(p.mode),
                             printable(p.application, 100), numbers_of(p, platforms), three(p.application_portability),
-                            interval(p.application_interval), three(p.architecture_portability),
-                            interval(p.architecture_interval));
+                            interval(p.application_interval),
+                            p.architecture_portability ? three(*p.architecture_portability) : "-",
+                            p.architecture_interval ? interval(*p.architecture_interval) : "");
     }
     return text +
            "PP app: 1 for a backend that is the fastest on every platform of H; 0: unavailable on one, or a wrong "
-           "picture\n" +
+           "picture\n"
+           "PP peak: -: the peak of a platform of H was not measured\n" +
            not_measured(portabilities);
 }
 

@@ -63,7 +63,8 @@ TEST(Portability, OverSeveralResultFiles)
     EXPECT_NEAR(found["latest"].application_interval.low, 0.4878, 5e-5) << "samples without spread";
     EXPECT_EQ(found["best"].application_portability, 1);
     EXPECT_EQ(found["dummy"].application_portability, 0) << "one platform is unsupported";
-    EXPECT_EQ(found["latest"].architecture_portability, 0) << "no peak is known";
+    EXPECT_EQ(found["latest"].architecture_portability, std::nullopt) << "no peak is known";
+    EXPECT_EQ(found["dummy"].architecture_portability, 0) << "one platform is unsupported";
 }
 
 // If a filter left an application out of the result on a platform, the application does not count as unsupported on
@@ -134,8 +135,8 @@ TEST(Portability, ShareOfTheMeasuredPeak)
     Result result = made_result({row_of("openmp", "A", 1, 25e9), row_of("opencl", "A", 2, 25e9)});
     result.peaks = {{"A", "openmp", 0, Precision::f32, 80e9}, {"A", "opencl", 0, Precision::f32, 100e9}};
     auto found = by_application(portability({&result, 1}));
-    EXPECT_NEAR(found["openmp"].architecture_portability, 0.25, 1e-12) << "the platform's peak is the highest";
-    EXPECT_NEAR(found["opencl"].architecture_portability, 0.125, 1e-12);
+    EXPECT_NEAR(found["openmp"].architecture_portability.value(), 0.25, 1e-12) << "the platform's peak is the highest";
+    EXPECT_NEAR(found["opencl"].architecture_portability.value(), 0.125, 1e-12);
     EXPECT_NEAR(found["opencl"].application_portability, 0.5, 1e-12);
 }
 

@@ -64,6 +64,10 @@ expect 0 portability folder
 grep -q mandelbox out || fail "no portability of a folder"
 [ "$(cat err)" = "bench: folder/code_divergence.json: no result of bench, left out" ] || fail "$(cat err)"
 grep -q '^H, the set of platforms:$' out || fail "H is not named"
+sed 's/"revision": [^,]*/"revision": "0123abcdef"/' a.json >folder/other.json
+expect 0 portability folder
+grep -q '^bench: warning: these results are of different revisions: .*0123abcd' err || fail "revisions that differ: $(cat err)"
+rm folder/other.json
 sed 's/"mode": "exact"/"mode": 7/' a.json >folder/damaged.json
 expect 2 portability folder
 grep -q 'damaged.json: .*mode: 7 given' err || fail "a damaged result is left out"

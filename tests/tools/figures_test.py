@@ -4,6 +4,8 @@
 content is out of date."""
 import copy
 import json
+import pathlib
+import statistics
 import unittest
 
 from tool import ToolTest
@@ -85,6 +87,19 @@ class FiguresTest(ToolTest):
         place = "It runs at <!-- figures: model-cost ablation -->0.98<!-- end --> times the speed.\n"
         self.assertEqual(self.figures(place, "--check"), (0, "", place))
 
+    def test_a_gpu_s_backend_is_compared_with_cuda_in_fast_mode(self):
+        for step, backend, seconds in (("cuda", "cuda", (0.002, 0.004)), ("cl", "opencl", (0.003, 0.016)), ("vk", "cuda", (1, 1))):
+            data = copy.deepcopy(ABLATION)
+            for row, mode, kernel in zip(data["rows"], ("fast", "exact"), seconds):
+                row |= {"backend": backend, "application": backend, "sweep_value": "", "mode": mode}
+                row["figures"]["kernel_seconds"]["median"] = kernel
+            self.write(f"gpu/t-{step}.json", json.dumps(data))
+        place = "It takes <!-- figures: over-cuda gpu cl opencl -->1.5<!-- end --> times as long.\n"
+        self.assertEqual(self.figures(place, "--check"), (0, "", place))
+        code, said, _ = self.figures(place.replace("cl opencl", "vk vulkan"), "--check")
+        self.assertEqual(code, 2)
+        self.assertIn("gpu/t-vk.json has rows of other backends than vulkan", said)
+
     def test_a_duel_s_speed_ups_are_those_of_a_mode_and_a_backend(self):
         ratios = {"mandelbulb/double/exact/stdpar/0": 0.8, "mandelbox/float/exact/stdpar/0": 1.25,
                   "mandelbox/float/fast/stdpar/0": 0.5, "mandelbox/float/exact/kokkos/0": 0.1}
@@ -100,6 +115,22 @@ class FiguresTest(ToolTest):
         code, said, _ = self.figures(place, "--check")
         self.assertNotEqual(code, 0)
         self.assertIn("different exact pictures with stdpar", said)
+
+    def test_readme_s_sentences_are_those_of_the_samples(self):
+        root = pathlib.Path(__file__).resolve().parents[2]
+        data = json.loads((root / "report/results/bench.json").read_text())
+        rows = {row["name"]: row for row in data["rows"]}
+        fast, serial = rows["mandelbox/float/fast/openmp/0"], rows["mandelbox/double/exact/reference/0"]
+        kernel = [sample["kernel"] for sample in fast["samples"]]
+        wall = [statistics.median(sample["wall"] for sample in row["samples"]) for row in (serial, fast)]
+        peak = max(one["operations_per_second"] for one in data["peaks"] if (one["backend"], one["precision"]) == ("openmp", "float"))
+        off = fast["verification"]["visibly_differing"] / fast["verification"]["pixels"]
+        text = " ".join((root / "README.md").read_text().split())
+        for words in (f"{1e3 * statistics.median(kernel):.1f} ms, the median of {len(kernel)} pictures in "
+                      f"{len({sample['run'] for sample in fast['samples']})} runs.", f" {100 * off:.1f} % of the pixels differ",
+                      f" take {100 * fast['operations'] / statistics.median(kernel) / peak:.0f} % of the processor's",):
+            self.assertIn(words, text)
+        self.assertRegex(text, rf" takes {wall[0] / wall[1]:.0f} \[\d+, \d+\] times as long\.")
 
     def test_what_is_fresh_passes_the_check(self):
         self.assertEqual(self.figures(WORTH + TABLE, "--check"), (0, "", WORTH + TABLE))

@@ -102,6 +102,8 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
     for entry in entries:
 
         def with_interval(key: str, entry: dict[str, Any] = entry) -> str:
+            if entry[key] is None:
+                return "–"
             interval = entry[f"{key}_interval"]
             return digits(entry[key]) + (f" ({digits(interval[0])} – {digits(interval[1])})" if interval else "")
 
