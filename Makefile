@@ -34,7 +34,7 @@ mandelbulb mandelbox:
 	@tools/build $(HERE) $@
 	@$(put) build/$(HERE)/bin/$@ $@
 
-demo: ## both official scenes on every backend, compared and timed, a film and a viewer: demo/index.html (8 min with set-up and build)
+demo: ## both official scenes on every backend of the build, compared and timed, a film and a viewer: demo/index.html (8 min with set-up and build)
 	@tools/setup programs
 	@tools/build $(HERE) $(DEMO) mandelbulb mandelbox
 	@$(call take,$(HERE),$(DEMO))
