@@ -16,6 +16,7 @@
 #include "core/image/formats/image_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "flight/path/path.h"
 #include "flight/path/places.h"
 
 namespace mandelmarch::explore {
