@@ -33,7 +33,7 @@ std::string arm_name(std::string_view implementer, std::string_view part)
     for (const ArmName& known : arm_names) {
         if (known.implementer == implementer && known.part == part) return std::string(known.name);
     }
-    return fmt::format("CPU implementer {} part {}", implementer, part);
+    return fmt::format("ARM implementer {} part {}", implementer, part);
 }
 
 std::string_view trimmed(std::string_view text)

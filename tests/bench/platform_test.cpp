@@ -51,6 +51,9 @@ TEST(Platform, OfAnotherArchitectureIsItsName)
     EXPECT_FALSE(cpu.family.has_value());
     EXPECT_EQ(cpu.vectors, (std::vector<std::string>{"asimd", "sve2"}));
     EXPECT_EQ(read("").platform(), "CPU");
+    const Cpu other = read("processor\t: 0\nCPU implementer\t: 0x99\nCPU part\t: 0x123\n");
+    EXPECT_EQ(other.name, "ARM implementer 0x99 part 0x123");
+    EXPECT_EQ(other.vendor, "ARM");
 }
 
 Result on(const Cpu& cpu, double seconds)

@@ -43,6 +43,13 @@ class SetupTest(ToolTest):
             self.assertIn("apt-get failed", said)
             self.assertIn("apt-get update", calls)
 
+    def test_a_package_that_a_debian_lacks_is_named(self):
+        # All packages are installed, except that apt-cache knows base-files only, and the offloading compiler is missing.
+        self.write("dpkg-query", "#!/bin/sh\ncase $* in *gcc-offload-nvptx*) ;; *) echo installed ;; esac\n")
+        self.write("apt-cache", "#!/bin/sh\n[ \"$2\" = base-files ]\n")
+        code, said, calls = self.run_on("ID=debian\n", "build")
+        self.assertEqual((code, said, calls), (0, "setup: this Debian has no package gcc-offload-nvptx: what needs it is left out\n", ""))
+
     def test_what_is_missing_is_said_without_installing(self):
         code, said, calls = self.run_on("ID=debian\n", "--check", "build")
         self.assertEqual((code, said.count("\n")), (1, 1))
