@@ -165,10 +165,10 @@ void Balls::find_ways(std::vector<Way>& ways, std::vector<Way>& gaps) const
     struct Part {
         std::vector<Way> ways, gaps;
     };
-    std::vector<Part> parts(balls_.size() / grain + 1);
+    std::vector<Part> found(balls_.size() / grain + 1);
     const double safety = field_.safety();
     parallel(balls_.size(), grain, field_.threads(), [&](std::size_t first, std::size_t last) {
-        Part& part = parts[first / grain];
+        Part& part = found[first / grain];
         std::vector<std::int32_t> near;
         for (std::size_t i = first; i < last; ++i) {
             const Ball& a = balls_[i];
@@ -192,7 +192,7 @@ void Balls::find_ways(std::vector<Way>& ways, std::vector<Way>& gaps) const
             }
         }
     });
-    for (const Part& part : parts) {
+    for (const Part& part : found) {
         ways.insert(ways.end(), part.ways.begin(), part.ways.end());
         gaps.insert(gaps.end(), part.gaps.begin(), part.gaps.end());
     }

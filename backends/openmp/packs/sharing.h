@@ -4,7 +4,7 @@
 // Conditions for sharing, selected by how much sharing changes pictures (docs/notes/experiments.md).
 constexpr MM_REAL same_surface = MM_REAL(0.02);  // max relative difference of the depths of pixels on one surface
 constexpr MM_REAL alike = MM_REAL(0.12);         // max difference of along_normal + sunwards among the neighbours
-constexpr int enough = 2;                        // min number of neighbours, of four, on the pixel's surface
+constexpr int fewest_alike = 2;                  // min number of neighbours, of four, on the pixel's surface
 
 // The four pixels in even columns and rows that surround each lane's pixel. Some of the four can be the same.
 struct Around {
@@ -73,7 +73,7 @@ HWY_INLINE mask find_shared(const Drawing& d, HitPack& a, const mask& on)
     a.shared.along_normal.of[0] = hn::Div(along_normal, count);
     a.shared.sunwards.of[0] = hn::Div(sunwards, count);
     mask shared;
-    shared.of[0] = hn::And(on.of[0], hn::And(hn::Ge(count, hn::Set(Reals(), static_cast<MM_REAL>(enough))),
+    shared.of[0] = hn::And(on.of[0], hn::And(hn::Ge(count, hn::Set(Reals(), static_cast<MM_REAL>(fewest_alike))),
                                              hn::Le(hn::Sub(most, least), hn::Set(Reals(), alike))));
     return shared;
 }
