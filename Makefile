@@ -113,7 +113,7 @@ SIZE ?= 1080p
 OPTIONS ?=
 TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the Mandelbulb)
 AUTHORS ?= made with mandelmarch
-video: flythrough ## a four-minute film: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k OPTIONS=--stereo (20 min)
+video: flythrough ## a four-minute film: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k TITLE="..." OPTIONS=--stereo (20 min)
 	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) $(OPTIONS) \
 	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
 	    --summary video-summary.json --output video.mp4
