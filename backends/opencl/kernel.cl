@@ -124,9 +124,9 @@ __kernel void draw_band(__constant Scene* scene, int first_row, int rows, long p
 #else
     // PoCL gives each thread a range of consecutive work groups; on two cores, the first range is half of all groups.
     // For ranges of about equal cost, consecutive rows of groups render strips that are far apart. The number of rows
-    // is a power of two, so that multiplying by an odd number permutes them.
-    int lines_of_groups = (int)get_global_size(1);
-    y = y * (lines_of_groups * 5 / 8 | 1) % lines_of_groups;
+    // is a power of two, so that multiplying by an odd number permutes them, even if the product wraps around.
+    uint lines_of_groups = (uint)get_global_size(1);
+    y = (int)((uint)y * (lines_of_groups * 5 / 8 | 1) % lines_of_groups);
     int cell = cell_side(starts);
     int columns = tiles_along(scene->width, cell);
     int lines = tiles_along(rows, cell);
