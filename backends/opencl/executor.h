@@ -170,6 +170,7 @@ private:
         kernel_.setArg(11, depths_);
         kernel_.setArg(12, band.lattice.before);
         kernel_.setArg(13, band.lattice.apart);
+        // With vectors, draw_band() permutes the rows of work groups, whose number must be a power of two.
         return launched(kernel_, cl::NDRange(all_columns, lanes_ > 1 ? std::bit_ceil(all_lines) : all_lines),
                         cl::NDRange(static_cast<std::size_t>(group_width), static_cast<std::size_t>(group_height)),
                         doing);

@@ -28,8 +28,8 @@ struct OnPlatform {
     std::string platform;
     double seconds = 0;      // median kernel time
     double application = 0;  // application efficiency: best time of any backend on the platform / this time
-    std::optional<double> architecture =
-        0;  // architectural efficiency: share of the multiply-add peak, if it was measured
+    // Architectural efficiency: the share of the multiply-add peak; empty: the peak was not measured.
+    std::optional<double> architecture = 0;
 };
 
 // A step of a cascade. A cascade adds one platform after the other, in the order of falling application efficiency.
