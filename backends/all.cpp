@@ -62,7 +62,7 @@ Registry backends_of(bool isolates_drivers, const std::vector<std::string>& open
             return;
         }
         // The reference backend needs no trial renders (core/render/trial.h), because its steps are short enough.
-        if (info.role != Role::reference) backend = with_trials(std::move(backend));
+        if (info.role != Role::reference && info.argument.empty()) backend = with_trials(std::move(backend));
         if (info.has_driver && isolates_drivers) backend = isolated(std::move(backend));
         backends.push_back(std::move(backend));
     };

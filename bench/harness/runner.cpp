@@ -8,6 +8,7 @@
 #include <random>
 
 #include "bench/result/figures.h"
+#include "bench/harness/moving_eye.h"
 #include "bench/harness/verify.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
@@ -35,8 +36,8 @@ bool narrow_enough(const Row& row, double half_width)
 
 class Rounds {
 public:
-    Rounds(std::vector<TimedCase>& rows, const Rules& rules)
-        : rows_(rows), rules_(rules), random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.run))
+    Rounds(std::vector<TimedCase>& rows, const Rules& rules, MovingEye* eye)
+        : rows_(rows), rules_(rules), eye_(eye), random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.run))
     {
     }
 
@@ -46,6 +47,10 @@ public:
             std::vector<TimedCase*> order = unfinished();
             if (order.empty()) break;
             std::shuffle(order.begin(), order.end(), random_);
+            if (eye_ != nullptr) {
+                eye_->next_round();
+                eye_->group(order);
+            }
             draw(order, round, phase);
             for (TimedCase* row : order) row->done = row->done || finished(*row);
         }
@@ -78,7 +83,14 @@ private:
     {
         Row& row = live.one->row;
         try {
-            Sample sample = draw_sample(live, image_for(live));
+            const Scene& scene = eye_ == nullptr ? live.one->scene : eye_->view_of(*live.one).scene;
+            Image& image = image_for(live);
+            Sample sample = draw_sample(live, scene, image);
+            const std::string fault = eye_ != nullptr ? eye_->fault_of(*live.one, image)
+                                      : fingerprint(image) == live.fingerprint
+                                          ? ""
+                                          : "the timed picture differs from the verified one";
+            if (!fault.empty()) throw Error(fault);
             sample.run = rules_.run;
             sample.round = round;
             live.spent += sample.wall;
@@ -121,6 +133,7 @@ private:
 
     std::vector<TimedCase>& rows_;
     const Rules& rules_;
+    MovingEye* eye_;
     std::mt19937_64 random_;
     Clock::time_point start_ = Clock::now();
     Image image_;
@@ -128,22 +141,22 @@ private:
 
 }  // namespace
 
-Sample draw_sample(TimedCase& row, Image& image)
+Sample draw_sample(TimedCase& row, const Scene& scene, Image& image)
 {
     const Case& one = *row.one;
     const int frames = one.row.setting.frames;
-    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
+    if (frames == 0 && row.expected < warmed_below) row.renderer->render(scene, image);
     // Overwrite the image. Otherwise, if a backend did not write its pixels, the previous configuration's picture would
     // pass for its own.
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});
     Sample sample;
     const double processor = processor_seconds();
     if (frames == 0) {
-        sample.add(row.renderer->render(one.scene, image).timings);
+        sample.add(row.renderer->render(scene, image).timings);
     } else {
         const auto start = Clock::now();
         const auto renderer = one.backend->create(one.options);
-        for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(one.scene, image).timings);
+        for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(scene, image).timings);
         sample.wall = seconds_since(start);
         for (double Sample::*part :
              {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
@@ -151,9 +164,6 @@ Sample draw_sample(TimedCase& row, Image& image)
         }
     }
     sample.processor = (processor_seconds() - processor) / std::max(1, frames);
-    if (fingerprint(image) != row.fingerprint) {
-        throw Error("the timed picture differs from the verified one");
-    }
     return sample;
 }
 
@@ -177,9 +187,9 @@ void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
     }
 }
 
-void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase)
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase, MovingEye* eye)
 {
-    Rounds(rows, rules).run(phase);
+    Rounds(rows, rules, eye).run(phase);
 }
 
 }  // namespace mandelmarch::bench

@@ -55,12 +55,14 @@ Rules rules_of(const Options& options);
 // verified picture as its only sample. Does nothing if rules.repetitions is given.
 void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules);
 
-// Renders the rounds and adds the samples to the configurations. If a backend throws, or a picture differs from the
-// verified one, its configuration fails and loses its samples.
-void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase);
+class MovingEye;
 
-// Takes one sample: one picture, or setting.frames pictures from a fresh renderer. Throws what the backend throws, and
-// Error if the picture is not the verified one.
-Sample draw_sample(TimedCase& row, Image& image);
+// Renders the rounds and adds the samples to the configurations. If a backend throws, or a picture differs from the
+// verified one, its configuration fails and loses its samples. `eye`: if not null, each round has other views.
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase, MovingEye* eye = nullptr);
+
+// Takes one sample: one picture of the scene, or setting.frames pictures from a fresh renderer. Throws what the backend
+// throws.
+Sample draw_sample(TimedCase& row, const Scene& scene, Image& image);
 
 }  // namespace mandelmarch::bench

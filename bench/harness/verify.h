@@ -9,6 +9,7 @@
 
 #include "bench/harness/runner.h"
 #include "core/image/image.h"
+#include "core/render/agreement.h"
 
 namespace mandelmarch::bench {
 
@@ -59,9 +60,13 @@ private:
     ExpectedPicture exact_, fast_;
 };
 
-// Compares `image`, rendered by a backend with the role `role`, with the expected picture. Sets row.verification and,
-// if `image` is wrong, row.failure.
-void verify(Row& row, Role role, const Image& image, const ExpectedPicture& expected);
+// Returns the level of agreement that the configuration's picture needs. A reference and a foreign program are other
+// implementations, whose exact pictures are close to the kernel's, but not identical.
+Level level_required(const Case& one, const Image& image);
+
+// Compares `image`, rendered by the configuration, with the expected picture. Sets one.row.verification and, if `image`
+// is wrong, one.row.failure.
+void verify(Case& one, const Image& image, const ExpectedPicture& expected);
 
 // Receives a configuration's picture, right or wrong, after its verification.
 using KeepPicture = std::function<void(const Row&, const Image&)>;

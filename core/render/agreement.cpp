@@ -38,7 +38,7 @@ template <class Real>
 double largest_ulps(const Image& a, const Image& b)
 {
     double largest = 0;
-    for (std::size_t i = 0; i < a.values().size(); ++i) {
+    for (std::size_t i = 0; i < b.values().size(); ++i) {
         const PixelValue& x = a.values()[i];
         const PixelValue& y = b.values()[i];
         largest = std::max({largest, ulps_between<Real>(x.red, y.red), ulps_between<Real>(x.green, y.green),
@@ -61,6 +61,7 @@ std::string_view name_of(Level level)
     switch (level) {
         case Level::same_bits: return "same bits";
         case Level::ulps: return "ULP";
+        case Level::same_bytes: return "same bytes";
         case Level::perceptual: return "perceptual";
         default: return "different";
     }
@@ -76,12 +77,12 @@ Agreement agreement(const Image& expected, const Image& image, Precision precisi
         precision == Precision::f32 ? largest_ulps<float>(expected, image) : largest_ulps<double>(expected, image);
     const Comparison& c = result.comparison;
     const double visible_percent = 100.0 * static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
-    result.numbers = c.values_compared && !has_nan(image);
+    result.numbers = !has_nan(image);
     if (!result.numbers) {
         result.level = Level::different;
     } else if (c.same()) {
-        result.level = Level::same_bits;
-    } else if (result.largest_ulps <= most_ulps) {
+        result.level = image.has_values() ? Level::same_bits : Level::same_bytes;
+    } else if (image.has_values() && result.largest_ulps <= most_ulps) {
         result.level = Level::ulps;
     } else if (visible_percent <= most_visible_percent) {
         result.level = Level::perceptual;
@@ -93,7 +94,8 @@ std::string summary(const Agreement& agreement)
 {
     const Comparison& c = agreement.comparison;
     switch (agreement.level) {
-        case Level::same_bits: return "same bits";
+        case Level::same_bits:
+        case Level::same_bytes: return std::string(name_of(agreement.level));
         case Level::ulps: return fmt::format("{:.0f} ULP", agreement.largest_ulps);
         default:
             return fmt::format("{:.3f} % off",

@@ -13,16 +13,17 @@ namespace mandelmarch {
 enum class Level {
     same_bits,   // colours and depths are equal bit for bit
     ulps,        // the same pixels are hits, and every value differs by at most a few ulp
+    same_bytes,  // every byte is equal, and the picture has no values
     perceptual,  // few pixels differ visibly
     different
 };
 
-std::string_view name_of(Level level);  // "same bits", "ULP", "perceptual", "different"
+std::string_view name_of(Level level);  // "same bits", "ULP", "same bytes", "perceptual", "different"
 
 struct Agreement {
     Level level = Level::different;
     Comparison comparison;
-    bool numbers = false;  // both images have values, and the second has no NaN
+    bool numbers = false;  // the second image has no NaN
     // Max difference of a colour or depth, in ulp of the precision; +infinity if one of the two values is NaN, or only
     // one is infinite.
     double largest_ulps = 0;
@@ -35,10 +36,11 @@ inline constexpr double most_visible_percent = 2;  // of the pixels; visible: a 
 // Returns the level that a mode requires: same bits in exact mode, perceptual in fast mode.
 Level level_required(Mode mode);
 
-// Returns the agreement of `image` with `expected`. Both need values. Throws InputError if their sizes differ.
+// Returns the agreement of `image` with `expected`, which needs values. If `image` has none, their bytes are compared.
+// Throws InputError if their sizes differ.
 Agreement agreement(const Image& expected, const Image& image, Precision precision);
 
-// Returns "same bits", the largest difference such as "3 ULP", or the visible difference such as "0.125 % off".
+// Returns "same bits" or "same bytes", the largest difference such as "3 ULP", or the visible difference such as "0.125 % off".
 std::string summary(const Agreement& agreement);
 
 }  // namespace mandelmarch

@@ -196,7 +196,11 @@ struct BackendInfo {
     bool band = false;
     bool block_size = false;
     bool concurrent = false;  // renderers with one thread each can render at the same time, on threads of the caller
+    // Its pictures are bytes alone, the same in each precision and mode, and may be kept from an earlier call.
+    bool foreign = false;
     std::string_view gpus = "GPU";  // the kind of GPU that an accelerator needs, for messages
+    // If not empty, the backend only makes others: "NAME:argument" names one. This is what `argument` stands for.
+    std::string_view argument = {};
     KernelBuild build = {};
 };
 
@@ -231,6 +235,13 @@ public:
     {
         static_cast<void>(scene);
         return true;
+    }
+
+    // Returns the backend "NAME:argument", if info().argument is not empty. Throws InputError for a wrong argument.
+    virtual std::unique_ptr<Backend> with_argument(const std::string& argument) const
+    {
+        static_cast<void>(argument);
+        return nullptr;
     }
 
     // Returns a renderer. Throws Unavailable if the device does not exist or does not support the options.

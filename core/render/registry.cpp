@@ -39,6 +39,25 @@ Listing listing_of(const Backend& backend)
     }
 }
 
+Registry::Registry(std::vector<std::unique_ptr<Backend>> backends)
+{
+    for (auto& backend : backends) {
+        (backend->info().argument.empty() ? backends_ : makers_).push_back(std::move(backend));
+    }
+}
+
+const Backend* Registry::open(const std::string& name)
+{
+    if (const Backend* found = find(name)) return found;
+    for (const auto& maker : makers_) {
+        const std::string start = fmt::format("{}:", maker->name());
+        if (!name.starts_with(start)) continue;
+        backends_.push_back(maker->with_argument(name.substr(start.size())));
+        return backends_.back().get();
+    }
+    return nullptr;
+}
+
 const Backend* Registry::find(std::string_view name) const
 {
     const auto found = std::ranges::find(backends_, name, [](const auto& backend) { return backend->name(); });

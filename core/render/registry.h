@@ -29,12 +29,17 @@ struct AutomaticChoice {
 
 class Registry {
 public:
-    explicit Registry(std::vector<std::unique_ptr<Backend>> backends) : backends_(std::move(backends)) {}
+    // Keeps backends that only make others (BackendInfo::argument) apart: no function but open() finds them.
+    explicit Registry(std::vector<std::unique_ptr<Backend>> backends);
 
     std::span<const std::unique_ptr<Backend>> backends() const { return backends_; }
 
     // Returns the backend with this name; nullptr if there is none.
     const Backend* find(std::string_view name) const;
+
+    // Returns the backend with this name, and makes it first if the name is "NAME:argument". Returns nullptr if there is
+    // none. Throws what Backend::with_argument() throws.
+    const Backend* open(const std::string& name);
 
     // Returns the first backend with this role; nullptr if there is none.
     const Backend* find(Role role) const;
@@ -49,7 +54,7 @@ public:
     AutomaticChoice automatic() const;
 
 private:
-    std::vector<std::unique_ptr<Backend>> backends_;
+    std::vector<std::unique_ptr<Backend>> backends_, makers_;
 };
 
 // Returns a placeholder for a backend that this program does not have or may not use, for the reason `why`.

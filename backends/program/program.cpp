@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program of anybody's as a backend: `program:./mine` runs ./mine for each picture, in an empty folder, with a time
+// limit. The folder holds the parameter file scene.dat.
+//
+// A program that takes the options of `render` and writes its statistics is run as
+//   PROGRAM scene.dat --fractal NAME --precision P --mode M --output FILE --stats FILE
+// so its times are those of its statistics, and its pictures have values (EXR) where the caller needs them. Any other
+// program is foreign. It is run as PROGRAM scene.dat, must write the picture that scene.dat names (image.bmp), and is
+// timed as a whole process.
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <unistd.h>
+
+#include "core/base/child_process.h"
+#include "core/base/error.h"
+#include "core/base/files.h"
+#include "core/base/output_file.h"
+#include "core/base/text.h"
+#include "core/image/formats/image_file.h"
+#include "core/render/backend.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
+
+namespace mandelmarch {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr const char* scene_name = "scene.dat";
+constexpr const char* stats_name = "stats.json";
+constexpr std::size_t longest_complaint = 200;  // bytes of a message that name what a program said
+constexpr std::size_t most_complaints = 4096;   // bytes of a program's stderr that are read
+constexpr int trial_side = 16;                  // pixels of the picture that shows whether a program is foreign
+constexpr double trial_limit = 20;              // seconds
+
+// A program and its first arguments.
+struct Command {
+    std::string name;  // as given
+    std::vector<std::string> words;
+    bool foreign = true;
+    Device device = {};
+};
+
+struct Drawn {
+    Image image;
+    RenderStats stats;
+};
+
+std::string last_line(std::string text)
+{
+    while (text.ends_with('\n')) text.pop_back();
+    return text.substr(text.rfind('\n') + 1);
+}
+
+// Runs the command in the folder. Throws Error, which says how the program ended and what it said last.
+Ended run(const Command& command, std::vector<std::string> words, const fs::path& folder, double limit)
+{
+    const MemoryFile complaints;
+    const Ended ended = ChildProcess({.words = words,
+                                      .program = words[0],
+                                      .folder = folder.string(),
+                                      .errors = complaints.number(),
+                                      .confined = true})
+                            .end(limit);
+    if (ended.code == exit_success && !ended.timed_out) return ended;
+    const std::string said = last_line(complaints.text(most_complaints));
+    throw Error(fmt::format("{}: {}{}", command.name,
+                            ended.timed_out ? fmt::format("no end within {:g} s (MANDELMARCH_DEVICE_TIMEOUT)", limit)
+                                            : ended.text(),
+                            said.empty() ? "" : ": " + printable(said, longest_complaint)));
+}
+
+// Reads the picture that the program has written. Throws Error.
+Image picture_in(const Command& command, const fs::path& folder, const std::string& file, const Scene& scene)
+{
+    const fs::path path = folder / file;
+    std::error_code failed;
+    if (!fs::is_regular_file(path, failed)) throw Error(fmt::format("{}: no {} written", command.name, file));
+    Image image;
+    try {
+        image = read_image(path.string());
+    } catch (const InputError& error) {
+        std::string what = error.what();  // starts with the path of a temporary folder
+        if (what.starts_with(path.string())) what = file + what.substr(path.string().size());
+        throw Error(fmt::format("{}: {}", command.name, what));
+    }
+    if (image.width() != scene.width || image.height() != scene.height) {
+        throw Error(fmt::format("{}: {} has {} x {} pixels, expected {} x {}", command.name, file, image.width(),
+                                image.height(), scene.width, scene.height));
+    }
+    return image;
+}
+
+RenderStats stats_in(const fs::path& folder, const RendererOptions& options)
+{
+    const Json json = Json::parse(std::ifstream(folder / stats_name));
+    const Json& seconds = json.at("seconds");
+    const Json& work = json.at("work");
+    RenderStats stats;
+    stats.device = {.name = json.at("device").at("name"),
+                    .vendor = json.at("device").at("vendor"),
+                    .driver = json.at("device").at("driver"),
+                    .is_gpu = json.at("device").at("is_gpu")};
+    stats.precision = options.precision;
+    stats.mode = options.mode;
+    stats.threads = json.at("threads");
+    stats.simd_width = json.at("simd_width");
+    stats.instruction_set = json.at("instruction_set");
+    stats.unsettled = json.at("unsettled");
+    if (json.at("step_factor").is_number()) stats.step_factor = json.at("step_factor");
+    stats.timings = {.context = seconds.at("context"), .build = seconds.at("build"), .upload = seconds.at("upload"),
+                     .kernel = seconds.at("kernel"),   .host = seconds.at("host"),   .readback = seconds.at("readback"),
+                     .wall = seconds.at("wall")};
+    stats.work = {.steps = work.at("steps"), .de_calls = work.at("de_calls"), .iterations = work.at("iterations")};
+    return stats;
+}
+
+// Draws the scene. `layers`: of the picture; a foreign program draws bytes alone.
+Drawn drawn(const Command& command, Scene scene, const RendererOptions& options, Image::Layers layers, double limit)
+{
+    const TemporaryFolder folder;
+    scene.image_file = "image.bmp";
+    write_file((folder.path() / scene_name).string(), to_parameters(scene));
+    std::vector<std::string> words = command.words;
+    words.emplace_back(scene_name);
+    if (command.foreign) {
+        const Ended ended = run(command, std::move(words), folder.path(), limit);
+        Drawn made{.image = picture_in(command, folder.path(), scene.image_file, scene), .stats = {}};
+        made.stats.device = command.device;
+        made.stats.timings.ran(ended.seconds);
+        made.stats.timings.wall = ended.seconds;
+        return made;
+    }
+    const std::string file = layers == Image::Layers::all ? "image.exr" : scene.image_file;
+    for (const std::string& word :
+         {std::string("--fractal"), std::string(scene.fractal->name), std::string("--precision"),
+          std::string(name_of(options.precision)), std::string("--mode"), std::string(name_of(options.mode)),
+          std::string("--output"), file, std::string("--stats"), std::string(stats_name)}) {
+        words.push_back(word);
+    }
+    run(command, std::move(words), folder.path(), limit);
+    try {
+        return {picture_in(command, folder.path(), file, scene), stats_in(folder.path(), options)};
+    } catch (const Json::exception& error) {
+        throw Error(fmt::format("{}: {}: not the statistics of render", command.name, stats_name));
+    }
+}
+
+class ProgramRenderer : public Renderer {
+public:
+    ProgramRenderer(Command command, const RendererOptions& options)
+        : command_(std::move(command)), options_(options)
+    {
+    }
+
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        if (image.height() != scene.height) {
+            throw Unavailable(fmt::format("{}: a program draws whole pictures only", command_.name));
+        }
+        if (progress) progress(0);
+        Drawn made = drawn(command_, scene, options_, image.layers(), device_timeout());
+        image = std::move(made.image);
+        made.stats.backend = command_.name;
+        made.stats.precision = options_.precision;
+        made.stats.mode = options_.mode;
+        if (progress) progress(1);
+        return made.stats;
+    }
+
+private:
+    Command command_;
+    RendererOptions options_;
+};
+
+// The backend of one program.
+class Program : public Backend {
+public:
+    explicit Program(Command command) : command_(std::move(command)) {}
+
+    std::string_view name() const override { return command_.name; }
+    BackendInfo info() const override { return {.foreign = command_.foreign}; }
+    std::optional<std::string> unavailable() const override { return {}; }
+    std::vector<Device> devices() const override { return {command_.device}; }
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    {
+        return std::make_unique<ProgramRenderer>(command_, options);
+    }
+
+private:
+    Command command_;
+};
+
+// Splits the text into a program and its first arguments, at blanks. A text that names a file is the program.
+Command command_of(const std::string& text)
+{
+    Command command{.name = "program:" + text, .words = {text}};
+    std::error_code failed;
+    if (!fs::is_regular_file(text, failed)) {
+        std::istringstream stream(text);
+        command.words.clear();
+        for (std::string word; stream >> word;) command.words.push_back(word);
+    }
+    if (command.words.empty() || !fs::is_regular_file(command.words[0], failed) ||
+        access(command.words[0].c_str(), X_OK) != 0) {
+        throw InputError(fmt::format("{}: expected an executable file that runs as PROGRAM {} and writes a picture",
+                                     command.name, scene_name));
+    }
+    command.words[0] = fs::absolute(command.words[0]).string();
+    command.device = {.name = text, .vendor = "", .driver = "", .is_gpu = false};
+    return command;
+}
+
+// The backend `program`, which makes a backend of each program.
+class Programs : public Backend {
+public:
+    std::string_view name() const override { return "program"; }
+    BackendInfo info() const override { return {.argument = "PROGRAM"}; }
+    std::optional<std::string> unavailable() const override { return "expected program:PROGRAM"; }
+    std::vector<Device> devices() const override { return {}; }
+    std::unique_ptr<Renderer> create(const RendererOptions&) const override { throw Unavailable(*unavailable()); }
+
+    std::unique_ptr<Backend> with_argument(const std::string& text) const override
+    {
+        Command command = command_of(text);
+        command.foreign = false;
+        try {
+            const Scene scene = official_scene(fractals().front(), trial_side, trial_side);
+            command.device = drawn(command, scene, {}, Image::Layers::bytes, trial_limit).stats.device;
+        } catch (const Error&) {
+            command.foreign = true;
+        }
+        return std::make_unique<Program>(std::move(command));
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_program_backend() { return std::make_unique<Programs>(); }
+
+}  // namespace mandelmarch
