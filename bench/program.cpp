@@ -14,13 +14,11 @@ namespace {
 struct Command {
     const char* name;
     const char* about;
-    Run (*declare)(CLI::App& app, const Registry& registry);
+    Run (*declare)(CLI::App& app, Registry& registry);
 };
 
 constexpr Command commands[] = {
     {"compare", "compare two result files, OLD.json NEW.json; exit code 1 on a regression", compare_command},
-    {"duel", "measure two builds of bench in alternation: OLD NEW", duel_command},
-    {"race", "time other renderers next to ours: PROGRAM..., each run as `PROGRAM scene.dat`", race_command},
     {"csv", "print a stored result, FILE.json, as --csv does", csv_command},
     {"json", "print a stored result, FILE.json, in the current format, with all figures recomputed", json_command},
     {"schema", "print the JSON Schema of a kind of file: result, duel, ...", schema_command},
@@ -40,7 +38,7 @@ void refuse_options(const CLI::App& app, const std::string& command)
 
 }  // namespace
 
-int bench_program(const Registry& registry, int argc, char** argv)
+int bench_program(Registry registry, int argc, char** argv)
 {
     CLI::App app("bench: verifies that all backends render the same picture, then times them.");
     app.set_version_flag("--version", version_line("bench"));

@@ -8,6 +8,6 @@ namespace mandelmarch::bench {
 
 // Runs the command line and returns the exit code. Throws InputError, Unavailable and Error, which run_program() turns
 // into messages and exit codes.
-int bench_program(const Registry& registry, int argc, char** argv);
+int bench_program(Registry registry, int argc, char** argv);
 
 }  // namespace mandelmarch::bench

@@ -15,19 +15,16 @@ namespace mandelmarch::bench {
 using Run = std::function<int()>;
 
 // `arguments`: bench's command line. The command lines of further runs are made from it.
-Run measure_command(CLI::App& app, const Registry& registry, const std::vector<std::string>& arguments);
+Run measure_command(CLI::App& app, Registry& registry, const std::vector<std::string>& arguments);
 
-Run compare_command(CLI::App& app, const Registry& registry);
-Run csv_command(CLI::App& app, const Registry& registry);
-Run json_command(CLI::App& app, const Registry& registry);
-Run schema_command(CLI::App& app, const Registry& registry);
-Run portability_command(CLI::App& app, const Registry& registry);
-Run peak_command(CLI::App& app, const Registry& registry);
+Run compare_command(CLI::App& app, Registry& registry);
+Run csv_command(CLI::App& app, Registry& registry);
+Run json_command(CLI::App& app, Registry& registry);
+Run schema_command(CLI::App& app, Registry& registry);
+Run portability_command(CLI::App& app, Registry& registry);
+Run peak_command(CLI::App& app, Registry& registry);
 
-Run duel_command(CLI::App& app, const Registry& registry);
-Run race_command(CLI::App& app, const Registry& registry);
-
-Run random_command(CLI::App& app, const Registry& registry);
-Run equivalence_command(CLI::App& app, const Registry& registry);
+Run random_command(CLI::App& app, Registry& registry);
+Run equivalence_command(CLI::App& app, Registry& registry);
 
 }  // namespace mandelmarch::bench

@@ -6,7 +6,6 @@
 #include "cli/option_values.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
-#include "bench/contest/on_demand.h"
 #include "bench/command/outputs.h"
 #include "bench/files/result_file.h"
 #include "bench/print/printers.h"
@@ -27,13 +26,11 @@ struct Measurement {
     Outputs outputs;
     bool list = false, list_names = false, wide = false;
     bool quiet = false;      // no table and no progress, as in further runs
-    bool on_demand = false;  // render the pictures that a duel requests
-    bool unproven = false;   // with on_demand: skip verification, as in all runs of a duel after the first
     std::string format;      // format of Google Benchmark for standard output; empty: bench's own table
     std::string out, out_format = "json";
 };
 
-void list(const Registry& registry, const Options& options, bool names_only)
+void list(Registry& registry, const Options& options, bool names_only)
 {
     for (const Case& one : cases_of(registry, options)) {
         if (one.backend != nullptr) {
@@ -63,7 +60,7 @@ void add_google_options(CLI::App& app, Measurement& m)
     app.add_flag("--benchmark_list_tests", m.list_names, "list the names of configurations; measure nothing");
 }
 
-void add_options(CLI::App& app, const Registry& registry, Measurement& m)
+void add_options(CLI::App& app, Registry& registry, Measurement& m)
 {
     Options& o = m.options;
     add_selection(app, registry, o);
@@ -82,6 +79,9 @@ void add_options(CLI::App& app, const Registry& registry, Measurement& m)
     app.add_option("--seed", o.seed, "seed for the order of configurations in each round")
         ->check(whole(0, 1'000'000'000))
         ->capture_default_str();
+    app.add_flag("--move-eye", o.move_eye,
+                 "move the eye in each round, so that a picture kept from an earlier run is noticed (default with "
+                 "program:PROGRAM, unless the program is ours)");
     m.outputs.option(app, "--json", "write all results and samples as JSON to this file (-: standard output)",
                      [&] { return text_of(json_of(m.result)); });
     m.outputs.option(app, "--csv", "write one line per configuration to this file (-: standard output)",
@@ -93,8 +93,6 @@ void add_options(CLI::App& app, const Registry& registry, Measurement& m)
     add_google_options(app, m);
     app.add_option("--run", o.run)->check(whole(0, 1000))->group("");
     app.add_flag("--quiet", m.quiet)->group("");
-    app.add_flag("--on-demand", m.on_demand)->group("");
-    app.add_flag("--unproven", m.unproven)->group("");
 }
 
 // Returns the arguments to pass on to further runs: all except those that write files, choose an output format or
@@ -115,7 +113,7 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
     return kept;
 }
 
-Outputs::Done measured(Measurement& m, const Registry& registry, const std::vector<std::string>& arguments)
+Outputs::Done measured(Measurement& m, Registry& registry, const std::vector<std::string>& arguments)
 {
     const int runs = m.options.runs;
     Display display(m.quiet);
@@ -140,16 +138,11 @@ Outputs::Done measured(Measurement& m, const Registry& registry, const std::vect
 
 }  // namespace
 
-Run measure_command(CLI::App& app, const Registry& registry, const std::vector<std::string>& arguments)
+Run measure_command(CLI::App& app, Registry& registry, const std::vector<std::string>& arguments)
 {
     const auto m = std::make_shared<Measurement>();
     add_options(app, registry, *m);
     return [m, &registry, arguments]() -> int {
-        if (m->on_demand) {
-            m->options.baselines = false;
-            draw_on_demand(registry, m->options, !m->unproven);
-            return exit_success;
-        }
         if (m->list || m->list_names) {
             list(registry, m->options, m->list_names);
             return exit_success;
@@ -161,7 +154,7 @@ Run measure_command(CLI::App& app, const Registry& registry, const std::vector<s
     };
 }
 
-Run peak_command(CLI::App& app, const Registry& registry)
+Run peak_command(CLI::App& app, Registry& registry)
 {
     const auto options = std::make_shared<Options>();
     add_selection(app, registry, *options);

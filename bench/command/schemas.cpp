@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "bench/command/commands.h"
-#include "bench/contest/contest_fields.h"
 #include "bench/files/result_fields.h"
 #include "bench/scenes/scene_fields.h"
 #include "core/base/console.h"
@@ -148,14 +147,6 @@ constexpr Kind kinds[] = {
      "Times are in seconds, rates per second. An operation is an addition, subtraction, multiplication, division or "
      "square root in one lane. docs/bench-output.md explains every quantity.",
      result_properties},
-    {"duel", "mandelmarch-duel", 2, "A duel",
-     "Written by `bench duel --json`: times of pairs of pictures by two programs, and the verdicts. All times are in "
-     "seconds, by the clock that `clock` names.",
-     properties_of<Duel>},
-    {"race", "mandelmarch-race", 2, "A race",
-     "Written by `bench race --json`: programs that read a parameter file and write a picture, ours first. Times are "
-     "in seconds, of whole processes; memory is in bytes.",
-     properties_of<Race>},
     {"random", "mandelmarch-bench-random", 1, "Fast pictures of random scenes",
      "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 from the canonical "
      "picture.",
@@ -201,7 +192,7 @@ std::string compact(const Json& json, const std::string& key = "", const std::st
 
 }  // namespace
 
-Run schema_command(CLI::App& app, const Registry& /*registry*/)
+Run schema_command(CLI::App& app, Registry& /*registry*/)
 {
     const auto name = std::make_shared<std::string>();
     std::vector<std::string> names;
@@ -212,10 +203,6 @@ Run schema_command(CLI::App& app, const Registry& /*registry*/)
         return exit_success;
     };
 }
-
-Json json_of(const Duel& duel) { return document("mandelmarch-duel", 2, duel); }
-
-Json json_of(const Race& race) { return document("mandelmarch-race", 2, race); }
 
 Json json_of(const RandomResult& result) { return document("mandelmarch-bench-random", 1, result); }
 

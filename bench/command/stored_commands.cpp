@@ -55,17 +55,17 @@ std::vector<Result> results_in(const std::vector<std::string>& files)
 
 }  // namespace
 
-Run csv_command(CLI::App& app, const Registry& /*registry*/)
+Run csv_command(CLI::App& app, Registry& /*registry*/)
 {
     return with_file(app, [](const std::string& path) { return to_csv(read_result(path)); });
 }
 
-Run json_command(CLI::App& app, const Registry& /*registry*/)
+Run json_command(CLI::App& app, Registry& /*registry*/)
 {
     return with_file(app, [](const std::string& path) { return text_of(upgraded_json(path)); });
 }
 
-Run compare_command(CLI::App& app, const Registry& /*registry*/)
+Run compare_command(CLI::App& app, Registry& /*registry*/)
 {
     const auto files = std::make_shared<std::vector<std::string>>();
     app.add_option("FILES", *files, "two result files written by --json")
@@ -79,7 +79,7 @@ Run compare_command(CLI::App& app, const Registry& /*registry*/)
     };
 }
 
-Run portability_command(CLI::App& app, const Registry& /*registry*/)
+Run portability_command(CLI::App& app, Registry& /*registry*/)
 {
     struct State {
         std::vector<std::string> paths;

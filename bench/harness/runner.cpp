@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <random>
 
 #include "bench/result/figures.h"
@@ -15,14 +14,6 @@
 
 namespace mandelmarch::bench {
 namespace {
-
-// Returns the processor seconds used by all threads of this process.
-double processor_seconds()
-{
-    timespec used{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-}
 
 // Seconds. If a picture takes less, it is rendered once without timing before it is timed. The first rendering wakes
 // the threads, fills the caches and raises the clock frequency after the previous configuration.
@@ -150,7 +141,6 @@ Sample draw_sample(TimedCase& row, const Scene& scene, Image& image)
     // pass for its own.
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});
     Sample sample;
-    const double processor = processor_seconds();
     if (frames == 0) {
         sample.add(row.renderer->render(scene, image).timings);
     } else {
@@ -163,7 +153,6 @@ Sample draw_sample(TimedCase& row, const Scene& scene, Image& image)
             sample.*part /= frames;
         }
     }
-    sample.processor = (processor_seconds() - processor) / std::max(1, frames);
     return sample;
 }
 

@@ -7,6 +7,7 @@
 
 #include "bench/machine/environment.h"
 #include "bench/result/figures.h"
+#include "bench/harness/moving_eye.h"
 #include "bench/harness/peaks.h"
 #include "bench/harness/profile.h"
 #include "bench/harness/verify.h"
@@ -80,7 +81,9 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const double spent = seconds_since(start);
     rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
     const Telemetry telemetry;
-    run_rounds(live, rules, phase);
+    const bool foreign = std::ranges::any_of(live, [](const TimedCase& c) { return c.one->backend->info().foreign; });
+    MovingEye eye(registry);
+    run_rounds(live, rules, phase, options.move_eye || foreign ? &eye : nullptr);
     const nlohmann::ordered_json told = telemetry.since_start();
     // Measure the peaks again. If the machine was slower before the rounds, the first peaks are too low, and the shares
     // of peak would be too high.
@@ -89,6 +92,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     result.peaks = record.best();
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     result.warnings = record.warnings();
+    for (const std::string& warning : eye.warnings()) result.warnings.push_back(warning);
     if (!environment_variable("MANDELMARCH_REHEARSAL").empty()) {  // packaging/gpu_check
         result.warnings.emplace(result.warnings.begin(), "a rehearsal: a device called a GPU may not be one");
     }

@@ -208,15 +208,4 @@ std::vector<TimedCase> verified_cases(std::vector<Case>& cases, const Registry& 
     return live;
 }
 
-std::optional<TimedCase> unverified_case(Case& one)
-{
-    return prepared(one, [&](TimedCase& live) {
-        live.renderer = one.backend->create(one.options);
-        Image image(one.scene.width, one.scene.height, Image::Layers::bytes);
-        live.first = live.renderer->render(one.scene, image);
-        live.fingerprint = fingerprint(image);
-        one.row.verification.passed = true;
-    });
-}
-
 }  // namespace mandelmarch::bench

@@ -79,11 +79,6 @@ std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, co
 std::vector<TimedCase> verified_cases(std::vector<Case>& cases, const Registry& registry, const Phase& phase,
                                       const KeepPicture& keep = {});
 
-// Renders the configuration's picture once without verifying it, for later runs of a program whose first run has
-// verified it. The caller must compare the fingerprint with that of the first run. Returns nullopt as verified_case()
-// does.
-std::optional<TimedCase> unverified_case(Case& one);
-
 // Returns a hash of the picture's bytes (FNV-1a, 64 bits).
 std::uint64_t fingerprint(const Image& image);
 

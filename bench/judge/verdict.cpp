@@ -62,12 +62,12 @@ std::string table_of(const std::vector<Judged>& rows, int decimals)
         std::string line = fmt::format("{:<48} {}: {}", row.name, name_of(row.verdict), row.why);
         if (row.why.empty()) {
             const Difference& d = row.difference;
-            line = fmt::format("{:<48} {:>7.{}f} {:<18} {:>8.2g} {:>7}  {}{}", row.name, d.ratio, decimals,
+            line = fmt::format("{:<48} {:>7.{}f} {:<18} {:>8.2g} {:>7}  {}", row.name, d.ratio, decimals,
                                fmt::format("[{:.{}f}, {:.{}f}]", d.interval.low, decimals, d.interval.high, decimals),
                                row.p,
                                row.old_units == row.new_units ? fmt::format("{}", row.new_units)
                                                               : fmt::format("{}, {}", row.old_units, row.new_units),
-                               name_of(row.verdict), row.same_picture ? "" : ", another picture");
+                               name_of(row.verdict));
         }
         text += clipped(printable(line), console_columns) + "\n";
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts on measured ratios, for compare, duel and the summary of a study.
+// Verdicts on measured ratios, for compare and the summary of a study.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ enum class Verdict {
     missing,       // comparable in the old result, but not in the new one
     only_new,      // only the new result has a speed
     not_compared,  // the old result has no comparable speed, and the verdict is not only_new
-    no_speed       // not tested: a duel's old program has no speed, or there are too few times
+    no_speed       // not tested: there are too few times
 };
 std::string_view name_of(Verdict verdict);
 
@@ -36,7 +36,6 @@ struct Judged {
     double p = 1;             // after Holm's correction
     // Numbers of compared medians: one median for each run, or for each group of samples if there is only one run.
     int old_units = 0, new_units = 0;
-    bool same_picture = true;  // in a duel: the programs' pictures are equal byte for byte
 };
 
 // Judges the configurations whose verdict is `undecided`, all together. Their differences must come from tests with the

@@ -28,7 +28,6 @@ struct Sample {
     int round = 0;                                          // index within that run
     double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
     double host = 0;
-    double processor = 0;  // of all threads of the rendering process; only for duels, not stored in results
 
     // Adds the times of a picture.
     void add(const Timings& t)

@@ -141,11 +141,8 @@ std::string platform_of(const Device& device) { return device.is_gpu ? device.na
 std::vector<Case> cases_of(const Registry& registry, const Options& options)
 {
     const Study& study = *options.study;
-    const bool baselines = options.baselines && study.baselines;
-    const auto asked = [&](const Backend& backend) {
-        const bool unasked = options.backends.empty() && !options.baselines && backend.info().role == Role::reference;
-        return !unasked && options.selects(backend.name());
-    };
+    const bool baselines = study.baselines;
+    const auto asked = [&](const Backend& backend) { return options.selects(backend.name()); };
     std::vector<const Backend*> backends;
     std::map<const Backend*, std::vector<Device>> devices;
     std::vector<Case> without_device;
@@ -186,7 +183,9 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     std::vector<Case> cases = crossed(axes);
     const auto chosen = selection(options.filter);
     std::erase_if(cases, [&](const Case& one) {
-        return !(asked(*one.backend) || is_baseline(one)) || !study.keeps(one) || !chosen(one.row.name());
+        const bool again = one.row.precision != options.precisions.front() ||
+                           one.row.mode != options.selected_modes().front();
+        return (one.backend->info().foreign && again) || !(asked(*one.backend) || is_baseline(one)) || !study.keeps(one) || !chosen(one.row.name());
     });
     for (Case& one : cases) realise(one, options.picture_size());
     cases.insert(cases.end(), without_device.begin(), without_device.end());

@@ -21,7 +21,7 @@ bool Options::selects(std::string_view backend) const
     return backends.empty() || std::ranges::find(backends, backend) != backends.end();
 }
 
-std::vector<std::string> parse_backends(const Registry& registry, std::string_view text)
+std::vector<std::string> parse_backends(Registry& registry, std::string_view text)
 {
     std::vector<std::string> names;
     if (text == "all") return names;
@@ -31,9 +31,10 @@ std::vector<std::string> parse_backends(const Registry& registry, std::string_vi
         at = comma + 1;
     }
     for (const std::string& name : names) {
-        if (registry.find(name) != nullptr) continue;
-        throw InputError(
-            fmt::format("--backend: '{}' given, expected all, or names of backends with commas between them", name));
+        if (registry.open(name) != nullptr) continue;
+        throw InputError(fmt::format(
+            "--backend: '{}' given, expected all, or names of backends and program:PROGRAM with commas between them",
+            name));
     }
     return names;
 }
@@ -43,11 +44,11 @@ std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<co
     return text == "all" ? std::move(all) : std::vector{&fractal_named(text)};
 }
 
-void add_selection(CLI::App& app, const Registry& registry, Options& options)
+void add_selection(CLI::App& app, Registry& registry, Options& options)
 {
     app.add_option_function<std::string>(
            "--backend", [&](const std::string& text) { options.backends = parse_backends(registry, text); },
-           "backend to measure: all, or a list such as openmp,opencl")
+           "backend to measure: all, or a list such as openmp,opencl,program:./mine")
         ->default_str("all");
     app.add_option_function<std::string>(
            "--fractal", [&](const std::string& text) { options.fractals = parse_fractals(text, default_fractals()); },
@@ -80,24 +81,6 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
     app.add_option("--filter,--benchmark_filter", options.filter,
                    "regular expression: measure only configurations whose names contain a match; with - in front, only "
                    "the others");
-}
-
-// Uses only options that older builds have, too.
-std::vector<std::string> words_of(const Options& o)
-{
-    const auto all_or = [](bool all, const std::string& names) { return all ? "all" : names; };
-    std::vector<std::string> words{
-        "--backend",   all_or(o.backends.empty(), joined(o.backends, ",")),
-        "--fractal",   all_or(o.fractals == default_fractals(), joined(o.fractals, ",", name_of_fractal)),
-        "--precision", all_or(o.precisions.size() > 1, std::string(name_of(o.precisions.front()))),
-        "--study",     std::string(o.study->name),
-        "--seed",      std::to_string(o.seed)};
-    if (!o.modes.empty()) {
-        words.insert(words.end(), {"--mode", all_or(o.modes.size() > 1, std::string(name_of(o.modes.front())))});
-    }
-    if (o.size) words.insert(words.end(), {"--size", fmt::format("{}x{}", o.size->first, o.size->second)});
-    if (!o.filter.empty()) words.push_back("--benchmark_filter=" + o.filter);
-    return words;
 }
 
 }  // namespace mandelmarch::bench

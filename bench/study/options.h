@@ -30,23 +30,21 @@ struct Options {
     std::uint64_t seed = 1;          // for the order of configurations in each round
     std::optional<double> budget;    // seconds for the timed rounds; nullopt: automatic (bench/harness/session.cpp)
     bool peaks = true;               // measure peak rates; results give the share of the peak that is achieved
-    bool baselines = true;           // false: leave out the baselines that the study would add, as in a duel
+    bool move_eye = false;           // each round has other views (bench/harness/moving_eye.h)
 
     bool selects(std::string_view backend) const;
     const std::vector<Mode>& selected_modes() const { return modes.empty() ? study->modes : modes; }
     std::pair<int, int> picture_size() const { return size.value_or(std::pair(study->width, study->height)); }
 };
 
-// Parses a list of backends, separated by commas; `all`: an empty list. Throws InputError for an unknown name.
-std::vector<std::string> parse_backends(const Registry& registry, std::string_view text);
+// Parses a list of backends, separated by commas, and opens them; `all`: an empty list. Throws InputError for an unknown
+// name.
+std::vector<std::string> parse_backends(Registry& registry, std::string_view text);
 
 // Parses a fractal's name. Returns that fractal, or `all` for the text "all".
 std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all);
 
 // Declares --backend, --fractal, --precision, --mode, --size, --study and --filter, which set members of `options`.
-void add_selection(CLI::App& app, const Registry& registry, Options& options);
-
-// Returns the arguments with which another build of bench selects the same configurations.
-std::vector<std::string> words_of(const Options& options);
+void add_selection(CLI::App& app, Registry& registry, Options& options);
 
 }  // namespace mandelmarch::bench

@@ -34,7 +34,6 @@ Ran run(Defect defect, std::vector<std::string> arguments)
     backends.push_back(make_reference_backend());
     backends.push_back(make_openmp_backend());
     backends.push_back(std::make_unique<BrokenBackend>(defect));
-    const Registry registry(std::move(backends));
     const TemporaryFolder folder;
     const std::string file = folder.path() / "result.json";
     arguments.insert(arguments.begin(), "bench");
@@ -45,7 +44,7 @@ Ran run(Defect defect, std::vector<std::string> arguments)
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     try {
-        ran.code = bench_program(registry, static_cast<int>(argv.size()), argv.data());
+        ran.code = bench_program(Registry(std::move(backends)), static_cast<int>(argv.size()), argv.data());
     } catch (const InputError& error) {
         ran.code = exit_usage;
         ran.err = error.what();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands that compare programs (duel, race), or pictures of random scenes (random, equivalence).
+// Commands that compare pictures of random scenes (random, equivalence).
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -8,10 +8,8 @@
 #include "cli/option_values.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
-#include "bench/contest/duel.h"
 #include "bench/scenes/equivalence.h"
 #include "bench/command/outputs.h"
-#include "bench/contest/race.h"
 #include "bench/scenes/random_scenes.h"
 #include "bench/files/result_file.h"
 #include "core/base/error.h"
@@ -58,84 +56,7 @@ void show(const Discrepancy& d, const std::string& folder)
 
 }  // namespace
 
-Run duel_command(CLI::App& app, const Registry& registry)
-{
-    const auto state = std::make_shared<State<DuelOptions, Duel>>();
-    DuelOptions& o = state->options;
-    app.add_option("OLD", o.old_program, "old build of bench, for example build/old/bin/bench")->required();
-    app.add_option("NEW", o.new_program, "new build of bench")->required();
-    add_selection(app, registry, o.rows);
-    app.add_option("--seed", o.rows.seed, "seed for the order of pictures")
-        ->check(whole(0, 1'000'000'000))
-        ->capture_default_str();
-    app.add_option("--runs", o.runs, "number of times that each program is started")
-        ->check(whole(2, 1000))
-        ->capture_default_str();
-    app.add_option("--repetitions", o.rounds, "rounds in each run; in a round each program renders each picture once")
-        ->check(whole(1, 100'000))
-        ->capture_default_str();
-    app.add_option("--margin", o.margin, "ratios of times from 1 / (1 + margin) to 1 + margin count as same")
-        ->check(real(0, 1))
-        ->capture_default_str();
-    app.add_option_function<std::string>(
-           "--clock",
-           [&o](const std::string& text) { o.clock = text == "wall" ? DuelClock::wall : DuelClock::processor; },
-           "wall: elapsed time of the kernel; processor: CPU time of all threads, on which load from other programs "
-           "has "
-           "little influence")
-        ->check(CLI::IsMember({"wall", "processor"}))
-        ->default_str("wall");
-    state->outputs.option(app, "--json", "write the result as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
-    return [state] {
-        const DuelOptions& options = state->options;
-        return state->outputs.deliver({options.old_program, options.new_program}, [&]() -> Outputs::Done {
-            Display display;
-            state->found = judged(run_duel(options, shown(display, "duel")));
-            return {to_console(state->found), state->found.runs == options.runs && !regression(state->found.verdicts)};
-        });
-    };
-}
-
-Run race_command(CLI::App& app, const Registry& registry)
-{
-    const auto state = std::make_shared<State<RaceOptions, Race>>();
-    RaceOptions& o = state->options;
-    app.add_option("PROGRAM", o.programs, "executable files, each run as `PROGRAM scene.dat`")
-        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
-        ->required();
-    app.add_option_function<std::string>(
-        "--fractal", [&o](const std::string& text) { o.fractal = &fractal_named(text); },
-        "fractal to render (default: mandelbulb)");
-    app.add_option("--scene", o.scene, "parameter file for --fractal (default: the official scene)");
-    app.add_option_function<std::string>(
-        "--size", [&o](const std::string& text) { o.size = size_option(text); },
-        "picture size, WxH in pixels (default: as in --scene, or 540x540)");
-    app.add_option("--backend", o.backend, "backend of our renderer")->capture_default_str();
-    app.add_option("--limit", o.limit, "time limit per picture, in seconds")
-        ->check(real(0.01, 1e5))
-        ->capture_default_str();
-    app.add_option("--repetitions", o.rounds, "rounds; in each, every program renders one picture")
-        ->check(whole(1, 100'000))
-        ->capture_default_str();
-    app.add_option("--seed", o.seed, "seed for the order of programs in each round")
-        ->check(whole(0, 1'000'000'000))
-        ->capture_default_str();
-    app.footer("docs/race.md explains the table.");
-    state->outputs.option(app, "--json", "write the result as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
-    return [state, &registry] {
-        std::vector<std::string> read = state->options.programs;
-        if (!state->options.scene.empty()) read.push_back(state->options.scene);
-        return state->outputs.deliver(read, [&]() -> Outputs::Done {
-            Display display;
-            state->found = run_race(state->options, registry, shown(display, "race"));
-            return {to_console(state->found), state->found.passed()};
-        });
-    };
-}
-
-Run random_command(CLI::App& app, const Registry& registry)
+Run random_command(CLI::App& app, Registry& registry)
 {
     const auto state = std::make_shared<State<RandomOptions, RandomResult>>();
     RandomOptions& o = state->options;
@@ -159,7 +80,7 @@ Run random_command(CLI::App& app, const Registry& registry)
     };
 }
 
-Run equivalence_command(CLI::App& app, const Registry& registry)
+Run equivalence_command(CLI::App& app, Registry& registry)
 {
     const auto state = std::make_shared<State<EquivalenceOptions, EquivalenceResult>>();
     EquivalenceOptions& o = state->options;
