@@ -161,12 +161,6 @@ lint: ## check the format of sources, licence lines, links and figures of pages 
 tidy: ## clang-tidy on every source (over 10 min)
 	@tools/lint tidy
 
-k40: build python ## registers of the OpenACC kernels, and expected frame times, on the Tesla K40 and the H100 (3 min)
-	@tools/python_packages gpu_packages
-	@python3 tools/k40.py bin/render --table report/results/k40_ptxas.txt
-	@for gpu in K40 H100; do build/venv/bin/python tools/gpu_expected.py bin report/results/box-vs-bulb.json report/results/closeup_fast.json \
-	    --gpu $$gpu --table report/results/$$(echo $$gpu | tr A-Z a-z)_expected.txt || exit 1; done
-
 loop-mix: build ## instructions in openmp's estimator loops, and their share of the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """gpu_results.py RESULTS.tgz INTO: unpacks the results of packaging/gpu_check into INTO/DEVICE and writes a summary
-page, README.md: backends with the same bits, measured and expected times, and the last output lines of failed steps."""
+page, README.md: backends with the same bits, kernel times, and the last output lines of failed steps."""
 import argparse
 import glob
 import json
@@ -14,7 +14,6 @@ import tempfile
 
 STEP = re.compile(r"^(\S+) +(passed|skipped|failed|late) +(\d+) s  ?(.*)$")
 BACKENDS = ("cuda", "hip", "openacc", "omptarget", "opencl", "vulkan")
-EXPECTED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report", "results")
 
 
 def fail(text):
@@ -48,16 +47,6 @@ def steps_of(folder):
             if found}
 
 
-def expected_times(device):
-    """Returns, by backend, fractal, precision and mode, the range of the kernel time in milliseconds that is expected
-    on the GPU whose name is in `device`. An H200 has the H100's multiprocessors."""
-    for gpu, names in {"k40": ("K40",), "h100": ("H100", "H200")}.items():
-        if any(name in device for name in names):
-            lines = map(str.split, text_of(EXPECTED, f"{gpu}_expected.txt").splitlines())
-            return {(words[3], *words[:3]): (float(words[-2]), float(words[-1])) for words in lines if len(words) == 12 and words[3] in BACKENDS}
-    return {}
-
-
 def rows_of(folder):
     """Yields the timed and verified configurations in bench's results of the steps t-*."""
     for path in sorted(glob.glob(os.path.join(folder, "t-*.json"))):
@@ -68,17 +57,14 @@ def rows_of(folder):
         yield from (row for row in rows if row["figures"] and row["verification"]["passed"])
 
 
-def times(folder, device):
+def times(folder):
     """Returns words for the number of pictures and their size, empty if there are none, and a table: the kernel
     milliseconds of each backend, for each fractal, precision and mode."""
-    expected = expected_times(device)
     sizes, counts, cells = set(), set(), {}
     for row in rows_of(folder):
         kind = row["fractal"], row["precision"], row["mode"]
         milliseconds = 1000 * row["figures"]["kernel_seconds"]["median"]
-        low, high = expected.get((row["backend"], *kind), (None, None))
-        beside = "" if low is None else f" ({low:.3g} to {high:.3g})"
-        cells.setdefault(kind, {})[row["backend"]] = f"{milliseconds:.4g}{beside}"
+        cells.setdefault(kind, {})[row["backend"]] = f"{milliseconds:.4g}"
         counts.add(len(row["samples"]))
         sizes.add(f"{row['setting']['width']} x {row['setting']['height']}")
     timed = [name for name in BACKENDS if any(name in row for row in cells.values())]
@@ -100,10 +86,9 @@ def page(folder, device, steps):
     same = [name for name in tried if steps[name][0] == "passed"]
     summary += ["", f"- Same bits as the host: {', '.join(same) or 'no backend'}."]
     summary += [f"- {name}: {steps[name][2] or steps[name][0]}." for name in tried if name not in same]
-    pictures, table = times(folder, device)
+    pictures, table = times(folder)
     if pictures:
-        summary += ["", f"Median kernel times in ms of {pictures}, in a single run, with the expected range in brackets",
-                    "([why many are longer](../../../docs/gpu-predictions.md#beside-measured-times)):", "", *table]
+        summary += ["", f"Median kernel times in ms of {pictures}, in a single run:", "", *table]
     broken = [(name, *step) for name, step in steps.items() if step[0] in ("failed", "late") and name not in BACKENDS]
     if broken:
         summary += ["", *(f"- Step {name} {result}: {words or 'no output'}" for name, result, _, words in broken)]

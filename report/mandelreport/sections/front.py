@@ -79,7 +79,7 @@ def section(material: Material) -> dict[str, Any]:
         "film": answers.film(),
         "figure": times(answers.primary, material.backends) if answers.primary else None,
         "bench": Missing("This answer", "make bench"),
-        "no_gpu": Missing("This answer", "make k40"),
+        "no_gpu": Missing("This answer", "make gpu-results"),
         "no_film": Missing("This answer", "bin/flythrough film --output video.mp4 --summary report/results/film.json"),
         "file": answers.primary.name if answers.primary else "",
         "runs": answers.primary.data["runs"] if answers.primary else 0,
