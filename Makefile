@@ -131,14 +131,6 @@ contact-sheet: ## frames of video.mp4, its summary and its audit, for the report
 gallery: build ## the pictures of docs/gallery.md and README, and the path of the demo's film (10 min, estimated)
 	@tools/gallery bin docs/pictures
 
-# Measures how often bench duel is right on this machine, idle and with LOAD busy processes. The programs that it
-# compares are test programs.
-LOAD ?= 2
-duel-study: ## 120 duels, half of equal programs and half with one 3 % slower, for docs/method.md (20 min)
-	@tools/build $(PRESET) bench_slowed
-	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
-
-# Writes tables of paths and audits, of the gain and cost of anti-aliasing, and of the cost of a segment.
 SEEDS ?= 10
 flight-study: build ## plan and audit SEEDS=10 flights through both fractals, for docs/flight.md (an hour, estimated)
 	@python3 tools/flight_study.py bin report/results --seeds $(SEEDS)
@@ -160,9 +152,6 @@ lint: ## check the format of sources, licence lines, links and figures of pages 
 
 tidy: ## clang-tidy on every source (over 10 min)
 	@tools/lint tidy
-
-loop-mix: build ## instructions in openmp's estimator loops, and their share of the multiply-add peak (20 s, estimated)
-	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 
 docs-figures: ## update the figures in README and docs from report/results (1 s)
 	@python3 tools/figures.py README.md docs/*.md

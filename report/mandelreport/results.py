@@ -69,10 +69,9 @@ class Results:
     films: list[Film] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
-    code_divergence: dict[str, Any] | None = None  # tools/code_divergence.py --json
+    lines_of_code: list[dict[str, Any]] = field(default_factory=list)  # the models of tools/lines_of_code.py
     races: list[dict[str, Any]] = field(default_factory=list)  # bench race --json
     duels: list[str] = field(default_factory=list)  # bench duel --json; names of files
-    loop_mix: str | None = None  # the table of make loop-mix
     flight_studies: list[str] = field(default_factory=list)  # the tables of make flight-study
 
     def study(self, name: str) -> list[Bench]:
@@ -157,8 +156,8 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
         results.benches.append(checked_bench(files.bench(stem)))
     elif kind.get("schema") == "mandelmarch-bench-random":
         results.random.append(checked(name, data, "random"))
-    elif kind.get("schema") == "mandelmarch-code-divergence":
-        results.code_divergence = checked(name, data, "code_divergence")
+    elif kind.get("schema") == "mandelmarch-lines-of-code":
+        results.lines_of_code = data["models"]
     elif kind.get("schema") == "mandelmarch-race":
         results.races.append(checked(name, data, "race"))
     elif kind.get("format") == "mandelmarch flight map 1":
@@ -174,9 +173,7 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
 
 
 def _add_text(results: Results, name: str, text: str) -> None:
-    if text.startswith("loop mix: "):
-        results.loop_mix = text
-    elif text.startswith("flight study: "):
+    if text.startswith("flight study: "):
         results.flight_studies.append(text)
     elif film := film_of_log(name, text):
         results.films.append(film)

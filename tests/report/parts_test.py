@@ -148,10 +148,9 @@ class PartsTest(unittest.TestCase):
         self.assertEqual(found.primary().name, "a.json")
 
     def test_texts_are_known_by_their_first_line(self) -> None:
-        files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n", "c.txt": "loop mix: y\n"}
+        files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n"}
         found = read_results(made.write(self.folder / "results", files))
         self.assertEqual(found.flight_studies, ["flight study: x\n"])
-        self.assertEqual(found.loop_mix, "loop mix: y\n")
 
     def test_negative_levels_have_an_axis(self) -> None:
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])

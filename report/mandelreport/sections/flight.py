@@ -47,5 +47,5 @@ def section(material: Material) -> dict[str, Any]:
         "audits": [_audit_table(audit) for audit in results.audits]
         or [Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json")],
         "studies": [Output(study) for study in results.flight_studies]
-        or [Missing("The study of seeds, anti-aliasing and segments", "make flight-study")],
+        or [Missing("The study of seeds", "make flight-study")],
     }
