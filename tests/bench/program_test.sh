@@ -10,7 +10,7 @@ quick=(--backend openmp --size 64x64 --precision float --repetitions 6 --no-peak
 
 # If sources are not committed, bench refuses to write into the project's folder of results.
 if "$bench" --version | grep -q changed; then
-    refused 'sources that no commit has' "${quick[@]}" --json "$source/report/results/of-no-commit.json"
+    refused 'sources that no commit has' "${quick[@]}" --json "$source/results/of-no-commit.json"
 fi
 
 expect 0 "${quick[@]}" --json a.json --csv a.csv --runs 3

@@ -24,7 +24,7 @@ from mandelreport.pictures import Cache, Studio  # noqa: E402
 from mandelreport.results import Results, read_results  # noqa: E402
 from mandelreport.sections import Material  # noqa: E402
 
-RESULTS = ROOT / "report" / "results"
+RESULTS = ROOT / "results"
 # The results, read only once, because checking their schemas takes seconds.
 READ = read_results(RESULTS)
 

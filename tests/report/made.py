@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-STORED = Path(__file__).parents[2] / "report" / "results"
+STORED = Path(__file__).parents[2] / "results"
 
 
 def stored(name: str) -> Any:

@@ -113,7 +113,7 @@ class FiguresTest(ToolTest):
 
     def test_readme_s_sentences_are_those_of_the_samples(self):
         root = pathlib.Path(__file__).resolve().parents[2]
-        data = json.loads((root / "report/results/bench.json").read_text())
+        data = json.loads((root / "results/bench.json").read_text())
         rows = {row["name"]: row for row in data["rows"]}
         fast, serial = rows["mandelbox/float/fast/openmp/0"], rows["mandelbox/double/exact/reference/0"]
         kernel = [sample["kernel"] for sample in fast["samples"]]
