@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """gpu_results.py RESULTS.tgz INTO: unpacks the results of packaging/gpu_check into INTO/DEVICE and writes a summary
-page, README.md: backends with the same bits, kernel times, and the last output lines of failed steps."""
+page, README.md: backends with the same bits, kernel times, and the last output lines of failed steps. bench's JSON
+files stay beside it; all other files are packed into logs.tar.xz."""
 import argparse
 import glob
 import json
@@ -115,6 +116,16 @@ def free_folder(into, name):
     fail(f"{into}: already has 999 results of {name}")
 
 
+def pack_logs(folder):
+    """Packs all files into logs.tar.xz and removes them, except the page and bench's results."""
+    with tarfile.open(os.path.join(folder, "logs.tar.xz"), "w:xz") as tar:
+        for name in sorted(set(os.listdir(folder)) - {"README.md", "logs.tar.xz"}):
+            path = os.path.join(folder, name)
+            if name.startswith("seen-") or not name.endswith(".json"):
+                tar.add(path, name)
+                (shutil.rmtree if os.path.isdir(path) else os.remove)(path)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results")
@@ -129,12 +140,7 @@ def main():
         device = device_of(folder)
         with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
             file.write(page(folder, device, steps))
-        # The stats of the exact pictures are in the summary. Pictures with other bits are kept.
-        for path in [*glob.glob(os.path.join(folder, "bits-*", "*.json")), *glob.glob(os.path.join(folder, "seen-*"))]:
-            os.remove(path)
-        for path in glob.glob(os.path.join(folder, "bits-*")):
-            if not os.listdir(path):
-                os.rmdir(path)
+        pack_logs(folder)
         name = ("rehearsal-" if text_of(folder, "rehearsal") else "") + re.sub(r"[^A-Za-z0-9]+", "-", device).strip("-")
         target = free_folder(arguments.into, name)
         shutil.move(folder, target)
