@@ -21,15 +21,21 @@ bool Options::selects(std::string_view backend) const
     return backends.empty() || std::ranges::find(backends, backend) != backends.end();
 }
 
-std::vector<std::string> parse_backends(const Registry& registry, std::string_view text)
+std::vector<std::string> parts_of(std::string_view text)
 {
-    std::vector<std::string> names;
-    if (text == "all") return names;
+    std::vector<std::string> parts;
     for (std::size_t at = 0; at <= text.size();) {
         const auto comma = std::min(text.find(',', at), text.size());
-        names.emplace_back(text.substr(at, comma - at));
+        parts.emplace_back(text.substr(at, comma - at));
         at = comma + 1;
     }
+    return parts;
+}
+
+std::vector<std::string> parse_backends(const Registry& registry, std::string_view text)
+{
+    if (text == "all") return {};
+    std::vector<std::string> names = parts_of(text);
     for (const std::string& name : names) {
         if (registry.find(name) != nullptr) continue;
         throw InputError(
@@ -77,12 +83,11 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
            "what to vary: " + joined(studies(), ", ", &Study::name))
         ->default_str(std::string(options.study->name));
-    app.add_option("--filter,--benchmark_filter", options.filter,
-                   "regular expression: measure only configurations whose names contain a match; with - in front, only "
-                   "the others");
+    app.add_option("--filter", options.filter,
+                   "measure only configurations whose names have one of these parts, separated by commas; a part with "
+                   "*, ? or [] must match the whole name; with - in front, only the others");
 }
 
-// Uses only options that older builds have, too.
 std::vector<std::string> words_of(const Options& o)
 {
     const auto all_or = [](bool all, const std::string& names) { return all ? "all" : names; };
@@ -96,7 +101,7 @@ std::vector<std::string> words_of(const Options& o)
         words.insert(words.end(), {"--mode", all_or(o.modes.size() > 1, std::string(name_of(o.modes.front())))});
     }
     if (o.size) words.insert(words.end(), {"--size", fmt::format("{}x{}", o.size->first, o.size->second)});
-    if (!o.filter.empty()) words.push_back("--benchmark_filter=" + o.filter);
+    if (!o.filter.empty()) words.push_back("--filter=" + o.filter);
     return words;
 }
 
