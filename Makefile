@@ -155,7 +155,7 @@ fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
 compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin
 
-lint: ## check the format of sources, licence lines, links and figures of pages (10 s)
+lint: ## check the format of sources, licence lines, and links of pages (10 s)
 	@tools/lint
 
 tidy: ## clang-tidy on every source (over 10 min)
@@ -170,8 +170,8 @@ k40: build python ## registers of the OpenACC kernels, and expected frame times,
 loop-mix: build ## instructions in openmp's estimator loops, and their share of the multiply-add peak (20 s, estimated)
 	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
 
-docs-figures: ## update the figures in README and docs from report/results (1 s)
-	@python3 tools/figures.py README.md docs/*.md
+results-page: python ## write docs/results.md and the figures of README from report/results (3 s)
+	@PYTHONPATH=report build/venv/bin/python -m mandelreport.results_page
 
 RESULTS ?= report/results
 report: python ## a report on report/results, with new pictures: report/out/report.html (2 min, estimated)
