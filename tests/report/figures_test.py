@@ -1,20 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of docs/results.md and README.md are those of the result files. Some are computed again here from the
-samples, with scipy and without the project's statistics: an interval, the cost of a model, the ladder, and three figures
-by lot, which changes daily."""
-
-from __future__ import annotations
+"""The figures of docs/results.md and README.md are those of the result files. Some are computed again from the samples,
+with scipy and without the project's statistics: an interval, the cost of a model, the ladder, and three figures by lot,
+which changes daily."""
 
 import copy
 import datetime
+import functools
 import math
 import random
 import re
 import sys
 import unittest
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy
 from scipy import stats
@@ -26,118 +23,104 @@ from mandelreport import results_page  # noqa: E402
 from mandelreport.results import RESULTS, read_results  # noqa: E402
 
 READ = read_results(ROOT / RESULTS)
+FILES = {bench.name: {row["name"]: row for row in bench.data["rows"]} for bench in READ.benches}
 PAGE = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
-FRACTALS = ("mandelbulb", "mandelbox")
-Rows = dict[str, dict[str, Any]]  # by name
-Check = tuple[str, str, str, Callable[[Rows], list[float]]]  # file, name of a row, the page's text, its numbers
 
 
-def with_ends(value: float, runs: list[float]) -> list[float]:
-    """Returns a value and Student's 95 % interval of the runs' logarithms, widened to contain the value."""
-    logs = numpy.log(runs)
+def with_ends(value, runs):
+    """Returns the value and Student's 95 % interval of the runs' logarithms, widened to contain the value. `runs`: the
+    samples by run."""
+    logs = numpy.log([numpy.median(run) for run in runs])
     low, high = numpy.exp(stats.t.interval(0.95, len(logs) - 1, logs.mean(), stats.sem(logs)))
     return [value, min(low, value), max(high, value)]
 
 
-def by_run(row: dict[str, Any], clock: str) -> list[list[float]]:
-    return [[s[clock] for s in row["samples"] if s["run"] == run] for run in sorted({s["run"] for s in row["samples"]})]
+def by_run(row, clock):
+    runs = {sample["run"]: [] for sample in row["samples"]}
+    for sample in row["samples"]:
+        runs[sample["run"]].append(sample[clock])
+    return list(runs.values())
 
 
-def time(row: dict[str, Any]) -> list[float]:
-    runs = by_run(row, "kernel")
-    return [1e3 * end for end in with_ends(numpy.median(sum(runs, [])), [numpy.median(run) for run in runs])]
+def milliseconds(name, rows):
+    runs = by_run(rows[name], "kernel")
+    return [1e3 * end for end in with_ends(numpy.median(sum(runs, [])), runs)]
 
 
-def speed_up(row: dict[str, Any], base: dict[str, Any]) -> list[float]:
-    own, other = by_run(row, "wall"), by_run(base, "wall")
+def speed_up(name, base, rows):
+    own, other = by_run(rows[name], "wall"), by_run(rows[base], "wall")
     value = numpy.median(sum(other, [])) / numpy.median(sum(own, []))
-    return with_ends(value, [numpy.median(b) / numpy.median(a) for a, b in zip(own, other)])
+    return with_ends(value, [[numpy.median(b) / numpy.median(a)] for a, b in zip(own, other)])
 
 
-def gain(before: dict[str, Any], after: dict[str, Any]) -> list[float]:
-    """Returns the inverse of the median ratio of times in the same rounds, and its interval."""
-    base = {(s["run"], s["round"]): s["kernel"] for s in before["samples"]}
-    ratios = {at: s["kernel"] / base[at] for s in after["samples"] if (at := (s["run"], s["round"])) in base}
-    runs = [[ratio for at, ratio in ratios.items() if at[0] == run] for run in sorted({run for run, _ in ratios})]
-    value, low, high = with_ends(numpy.median(list(ratios.values())), [numpy.median(run) for run in runs])
+def gain(fractal, rows):
+    """Returns the gain of the last rung of a ladder over the first, from the ratios of times in the same rounds."""
+    first, *_, last = (row["samples"] for row in rows.values() if row["fractal"] == fractal)
+    base = {(s["run"], s["round"]): s["kernel"] for s in first}
+    ratios = [{"run": s["run"], "ratio": s["kernel"] / base[s["run"], s["round"]]} for s in last]
+    runs = by_run({"samples": ratios}, "ratio")
+    value, low, high = with_ends(numpy.median(sum(runs, [])), runs)
     return [1 / value, 1 / high, 1 / low]
 
 
-def base_of(name: str, column: str) -> str:
-    fractal, precision, mode = name.split("/")[:3]
-    return f"{fractal}/double/exact/reference/0" if column == "over serial" else f"{fractal}/{precision}/{mode}/openmp/0/simd-width=1"
+def cost(model, rows):
+    """Returns the slowest and the fastest case of a model on as many threads as the scalar kernel."""
+    kinds = {name: name.partition(f"/{model}/")[0] for name, row in rows.items() if row["backend"] == model}
+    speeds = [speed_up(name, f"{kind}/openmp/0/simd-width=1", rows) for name, kind in kinds.items()]
+    return min(speeds) + max(speeds)
 
 
-def timings() -> list[Check]:
-    """Returns a check for each time and speed-up in the page's tables of all times of a file."""
-    checks: list[Check] = []
+def timings():
+    """Yields (file, name of a row, the page's text, function of the file's rows) for each time and speed-up in the
+    tables of all times of a file."""
     for file, lines in re.findall(r"^All times of (\S+): [^|]*\n\n((?:\|.*\n)+)", PAGE, re.M):
-        head, _, *rows = ([cell.strip() for cell in line.split("|")[1:-1]] for line in lines.splitlines())
-        for row in (dict(zip(head, cells)) for cells in rows):
-            backend, scalar, _ = row["backend"].removesuffix(" (1 thread)").partition("-scalar")
-            name = f"{row['fractal']}/{row['precision']}/{row['mode']}/{backend}/0{'/simd-width=1' if scalar else ''}"
-            checks.append((file, name, row["kernel ms"], lambda rows, name=name: time(rows[name])))
-            for column in ("over serial", "over scalar"):
-                if "[" in row[column]:
-                    compute = lambda rows, name=name, base=base_of(name, column): speed_up(rows[name], rows[base])  # noqa: E731
-                    checks.append((file, name, row[column], compute))
-    return checks
+        for line in lines.splitlines()[2:]:
+            fractal, precision, mode, label, kernel, *speeds = (cell.strip() for cell in line.split("|")[1:8])
+            backend, scalar, _ = label.removesuffix(" (1 thread)").partition("-scalar")
+            name = f"{fractal}/{precision}/{mode}/{backend}/0{scalar and '/simd-width=1'}"
+            yield file, name, kernel, functools.partial(milliseconds, name)
+            for text, base in zip(speeds, (f"{fractal}/double/exact/reference/0", f"{fractal}/{precision}/{mode}/openmp/0/simd-width=1")):
+                if "[" in text:
+                    yield file, name, text, functools.partial(speed_up, name, base)
 
 
-def cost_of_stdpar(rows: Rows) -> list[float]:
-    speeds = [speed_up(row, rows[base_of(name, "")]) for name, row in rows.items() if row["backend"] == "stdpar"]
-    return [*min(speeds), *max(speeds)]
-
-
-def rungs(rows: Rows, fractal: str) -> list[dict[str, Any]]:
-    return [row for row in rows.values() if row["fractal"] == fractal]
-
-
-def faults(checks: list[Check], files: dict[str, Rows]) -> list[str]:
-    found = []
-    for file, name, text, compute in checks:
-        said, values = [float(number.replace(",", "")) for number in re.findall(r"\d[\d,.]*\d|\d", text)], compute(files[file])
-        if said != [float(f"{value:.3g}") for value in values]:
-            found.append(f"{file}, {name}: the page says {text}, the samples {values}")
-    return found
+def wrong(check, rows):
+    """Returns true unless the numbers of the page's text are those of the rows, with three digits."""
+    said = [float(number.replace(",", "")) for number in re.findall(r"\d[\d,.]*\d|\d", check[2])]
+    return said != [float(f"{value:.3g}") for value in check[3](rows)]
 
 
 class FiguresTest(unittest.TestCase):
-    def setUp(self) -> None:
-        self.files = {bench.name: {row["name"]: row for row in bench.data["rows"]} for bench in READ.benches}
-
-    def test_the_pages_are_those_of_the_results(self) -> None:
+    def test_the_pages_are_those_of_the_results(self):
         for path, text in results_page.pages(READ).items():
             self.assertEqual(path.read_text(encoding="utf-8"), text, f"{path}: make results-page")
 
-    def test_figures_are_those_of_the_samples(self) -> None:
-        cost = re.search(r"`stdpar` (\S+ \[.*?\] to \S+ \[.*?\])", PAGE.replace("\n", " "))
-        whole = re.findall(r"^\| all together \|  \| (.*?) \|  \| (.*?) \|$", PAGE, re.M)
-        assert cost and len(whole) == 1
-        day = datetime.date.today().isoformat()
-        print(f"lot of {day}")
-        every = timings()
-        checks = [every[0], *random.Random(day).sample(every, 3), ("bench.json", "mandelbulb/double/fast/stdpar/0", cost[1], cost_of_stdpar)]
-        for fractal, text in zip(FRACTALS, whole[0]):
-            ladder = rungs(self.files["ladder.json"], fractal)
-            compute = lambda rows, fractal=fractal: gain(*rungs(rows, fractal)[:: len(ladder) - 1])  # noqa: E731
-            checks.append(("ladder.json", ladder[-1]["name"], text, compute))
-        self.assertEqual(faults(checks, self.files), [])
-        for check in checks:  # the negative control: other samples in one run
-            changed = copy.deepcopy(self.files[check[0]])
-            for sample in (sample for sample in changed[check[1]]["samples"] if sample["run"] == 0):
-                sample |= {"kernel": 1.5 * sample["kernel"], "wall": 1.5 * sample["wall"]}
-            self.assertEqual(len(faults([check], {check[0]: changed})), 1, check[:3])
+    def test_figures_are_those_of_the_samples(self):
+        every, day = list(timings()), datetime.date.today().isoformat()
+        model = re.search(r"`stdpar` (\S+ \[.*?\] to \S+ \[.*?\])", PAGE.replace("\n", " "))[1]
+        bulb, box = re.search(r"^\| all together \|  \| (.*?) \|  \| (.*?) \|$", PAGE, re.M).groups()
+        checks = [
+            every[0],
+            ("bench.json", "mandelbulb/double/fast/stdpar/0", model, functools.partial(cost, "stdpar")),
+            ("ladder.json", "mandelbulb/float/fast/openmp/0/rung=threads", bulb, functools.partial(gain, "mandelbulb")),
+            ("ladder.json", "mandelbox/float/fast/openmp/0/rung=threads", box, functools.partial(gain, "mandelbox")),
+            *random.Random(day).sample(every, 3),
+        ]
+        for check in checks:
+            with self.subTest(lot=day, figure=check[:3]):
+                rows = copy.deepcopy(FILES[check[0]])
+                self.assertFalse(wrong(check, rows))
+                for sample in rows[check[1]]["samples"]:  # the negative control: other samples in one run
+                    sample |= {clock: 1.5 * sample[clock] for clock in ("kernel", "wall") if sample["run"] == 0}
+                self.assertTrue(wrong(check, rows))
 
-    def test_gains_of_rungs_multiply_to_the_whole_ladder(self) -> None:
-        table = re.search(r"^\| rung .*?\n((?:\|.*\n)+)", PAGE, re.M)
-        assert table
-        for column, fractal in zip((3, 6), FRACTALS):
-            cells = [line.split("|")[column].strip() for line in table[1].splitlines()[2:-1]]
-            _, low, high = gain(*rungs(self.files["ladder.json"], fractal)[:: len(cells)])
-            product = math.prod(map(float, cells))
-            self.assertTrue(low < product < high, fractal)
-            self.assertFalse(low < product * float(cells[0]) < high, "a rung that is counted twice is found")
+    def test_gains_of_rungs_multiply_to_the_whole_ladder(self):
+        rungs = re.search(r"^\| kernel as scalar C\+\+ (?:.*\n)+?(?=\| all together)", PAGE, re.M)[0].splitlines()
+        for column, fractal in (3, "mandelbulb"), (6, "mandelbox"):
+            gains = [float(rung.split("|")[column]) for rung in rungs]
+            _, low, high = gain(fractal, FILES["ladder.json"])
+            self.assertTrue(low < math.prod(gains) < high, fractal)
+            self.assertFalse(low < math.prod(gains) * gains[0] < high, "a rung that is counted twice is not found")
 
 
 if __name__ == "__main__":
