@@ -147,14 +147,14 @@ fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
 compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin
 
-lint: ## check the format of sources, licence lines, links and figures of pages (10 s)
+lint: ## check the format of sources, licence lines, and links of pages (10 s)
 	@tools/lint
 
 tidy: ## clang-tidy on every source (over 10 min)
 	@tools/lint tidy
 
-docs-figures: ## update the figures in README and docs from results/ (1 s)
-	@python3 tools/figures.py README.md docs/*.md
+results-page: python ## write docs/results.md and the figures of README from results (3 s)
+	@PYTHONPATH=report build/venv/bin/python -m mandelreport.results_page
 
 RESULTS ?= results
 report: python ## a report on results/, with new pictures: report/out/report.html (2 min, estimated)

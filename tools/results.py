@@ -152,7 +152,7 @@ def main():
         shutil.copy(os.path.join(folder, entry.name), os.path.join(arguments.output, entry.name + ".part"))
     for entry in entries:
         os.replace(os.path.join(arguments.output, entry.name + ".part"), os.path.join(arguments.output, entry.name))
-    return fail(f"{len(entries)} files in {arguments.output}: make docs-figures report", 0)
+    return fail(f"{len(entries)} files in {arguments.output}: make results-page report", 0)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Result files of a folder, each read once. Needs only Python's standard library."""
+"""Result files of a folder, each read once."""
 
 import json
 from pathlib import Path

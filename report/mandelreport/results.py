@@ -22,6 +22,7 @@ from .flight import Film, FlightMap, film_of_log, read_film, read_map
 
 
 SCHEMAS = Path(__file__).parents[2] / "bench" / "schemas"
+RESULTS = Path("results")  # from the source folder
 SCHEMA = "mandelmarch-bench"
 VERSION = 2
 

@@ -30,7 +30,7 @@ def quotient_cell(row: Row, key: str) -> str:
     return "1" if value == 1 else with_interval(value, row.figures[f"{key}_interval"])
 
 
-def _timings(material: Material, bench: Bench) -> Table:
+def timings(material: Material, bench: Bench) -> Table:
     """Returns a table with a line for each timed row of the primary study."""
     host, backends = material.backends.host, material.backends
 
@@ -143,7 +143,7 @@ def _simd_widths(material: Material) -> Table | None:
     return Table(headers, rows, "Speed-up of packs over the scalar kernel on the same threads.", [4, 5, 6]) if rows else None
 
 
-def _lines_of_code(models: list[dict[str, Any]]) -> Table:
+def lines_of_code(models: list[dict[str, Any]]) -> Table:
     rows = [[str(m[key]) for key in ("backend", "lines", "lines_of_job", "lines_of_kernel")] for m in models]
     return Table(["backend", "own lines", "of core/job", "of core/kernel"], rows, "Lines of code that each backend needs.", [1, 2, 3])
 
@@ -171,7 +171,7 @@ def section(material: Material) -> dict[str, Any]:
     not_measured = {entry["application"]: entry["not_measured"] for entry in entries if entry["not_measured"]}
     primary = material.answers.primary
     tables = [
-        _timings(material, primary) if primary else None,
+        timings(material, primary) if primary else None,
         _simd_widths(material),
         _peaks(material),
         factor_table(material),
@@ -185,5 +185,5 @@ def section(material: Material) -> dict[str, Any]:
         "missing": Missing("The timings", "make bench"),
         "portability": _portability_table(metric, not_measured),
         "cascade": portability.cascade(metric, material.backends),
-        "lines_of_code": _lines_of_code(material.results.lines_of_code) if material.results.lines_of_code else None,
+        "lines_of_code": lines_of_code(material.results.lines_of_code) if material.results.lines_of_code else None,
     }
