@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "bench/result/figures.h"
+#include "bench/files/gpu_reading.h"
+#include "bench/judge/differences.h"
 #include "bench/judge/portability.h"
 #include "bench/files/result_file.h"
 #include "bench/files/result_fields.h"
@@ -36,9 +38,14 @@ Json parsed(const std::string& text, const std::string& name)
 
 Json schema_in(const Json& json) { return json.is_object() ? json.value("schema", Json()) : Json(); }
 
-// Throws Refusal if two configurations have the same name, or if operation counts have no lane utilisation.
+// Throws Refusal if two configurations have the same name, if operation counts have no lane utilisation, or if a GPU's
+// readings are impossible.
 void check(const Result& result)
 {
+    if (const Json gpus = value_at(result.environment, "/telemetry/gpus"); gpus.is_array()) {
+        std::vector<GpuReading> readings;
+        at_place("environment.telemetry.gpus", [&] { from_json(gpus, readings); });
+    }
     std::set<std::string> names;
     for (const Row& row : result.rows) {
         if (!names.insert(row.name()).second) throw Refusal{"rows", printable(row.name(), 200) + " is there twice"};

@@ -77,11 +77,21 @@ Json value_at(const Json& environment, const std::string& pointer)
     return environment.contains(place) ? environment.at(place) : Json();
 }
 
+bool same_fact(const Json& one, const Json& other)
+{
+    const auto sorted = [](const Json& fact) {
+        nlohmann::json made = fact;  // its keys are sorted
+        if (made.is_array()) std::sort(made.begin(), made.end());
+        return made;
+    };
+    return sorted(one) == sorted(other);
+}
+
 std::vector<std::string> differences_of(const Json& old_environment, const Json& new_environment)
 {
     std::vector<std::string> lines;
     const auto look = [&](const std::string& what, const Json& before, const Json& after) {
-        if (before == after) return;
+        if (same_fact(before, after)) return;
         lines.push_back(fmt::format("{}: {} in the old result, {} in the new", what, words(before), words(after)));
     };
     for (const auto& [what, pointer] : facts) {
@@ -89,7 +99,7 @@ std::vector<std::string> differences_of(const Json& old_environment, const Json&
     }
     const Json old_flags = value_at(old_environment, "/cpu/flags");
     const Json new_flags = value_at(new_environment, "/cpu/flags");
-    if (old_flags.is_array() && new_flags.is_array() && old_flags != new_flags) {
+    if (old_flags.is_array() && new_flags.is_array() && !same_fact(old_flags, new_flags)) {
         lines.push_back(fmt::format("CPU flags: {} in the old result only, {} in the new only",
                                     only_in(old_flags, new_flags), only_in(new_flags, old_flags)));
     }

@@ -11,6 +11,9 @@ namespace mandelmarch::bench {
 // Returns the value at a JSON pointer of an environment, or null if it is missing.
 nlohmann::ordered_json value_at(const nlohmann::ordered_json& environment, const std::string& pointer);
 
+// Returns true if two facts of a machine are equal. The order of keys and the order in a list do not count.
+bool same_fact(const nlohmann::ordered_json& one, const nlohmann::ordered_json& other);
+
 // Returns a line for each difference of two environments that may explain different times: revision, compilers, flags,
 // CPU, system, drivers, variables.
 std::vector<std::string> differences_of(const nlohmann::ordered_json& old_environment,

@@ -39,7 +39,7 @@ bool same_facts(const Result& a, const Result& b)
     for (const char* fact : {"/cpu/stepping", "/cpu/flags", "/cpu/caches", "/cpu/cores_usable"}) {
         const auto one = value_at(a.environment, fact);
         const auto other = value_at(b.environment, fact);
-        if (!one.is_null() && !other.is_null() && one != other) return false;
+        if (!one.is_null() && !other.is_null() && !same_fact(one, other)) return false;
     }
     return true;
 }

@@ -17,13 +17,13 @@
 #include <optional>
 #include <utility>
 
+#include "bench/files/gpu_reading.h"
 #include "core/base/files.h"
 #include "core/base/stopwatch.h"
 
 namespace mandelmarch::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::array<std::pair<const char*, std::uint64_t>, 5> events{
@@ -44,19 +44,9 @@ std::optional<double> number_in(const fs::path& path)
 
 Json missing(const std::string& why) { return {{"missing", why}}; }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-struct GpuState {
-    std::string name;
-    std::optional<double> joules;               // since the driver was loaded
-    std::optional<double> watts, celsius;       // current values
-    std::optional<double> sm, most_sm, memory;  // MHz: multiprocessors' clock, its maximum, the memory's clock
-    std::optional<std::string> throttled;       // reason for a reduced clock frequency, "idle" or "none"
-};
-
-struct GpuStates {
-    std::vector<GpuState> gpus;
-    std::string missing;  // why there are no GPUs; empty if there are some
+struct GpuReadings {
+    std::vector<GpuReading> gpus;  // joules: since the driver was loaded
+    std::string missing;           // why there are no GPUs; empty if there are some
 };
 
 // Declarations from NVML's API reference. With them, the build does not need NVML's header.
@@ -87,6 +77,16 @@ public:
         return function != nullptr && function(arguments...) == success;
     }
 
+    // Calls a function whose last argument is a pointer to its result. Returns the result in multiples of `unit`, or
+    // nullopt if the call fails.
+    template <class Number, class... Arguments>
+    std::optional<double> number(double unit, const char* name, Arguments... arguments) const
+    {
+        Number value = 0;
+        if (!call(name, arguments..., &value)) return std::nullopt;
+        return unit * static_cast<double>(value);
+    }
+
 private:
     std::unique_ptr<void, int (*)(void*)> handle_;
 };
@@ -101,40 +101,35 @@ std::string words(unsigned long long bits)
     return text.empty() ? "none" : text;
 }
 
-GpuState state_of(const Library& nvml, GpuHandle device)
+GpuReading reading_of(const Library& nvml, GpuHandle device)
 {
-    GpuState state;
+    GpuReading reading;
     std::array<char, 96> name{};
     if (nvml.call("nvmlDeviceGetName", device, name.data(), static_cast<unsigned>(name.size())))
-        state.name = name.data();
-    const auto whole = [](bool told, unsigned value, double unit) {
-        return told ? std::optional(unit * value) : std::nullopt;
-    };
-    unsigned value = 0;
-    state.watts = whole(nvml.call("nvmlDeviceGetPowerUsage", device, &value), value, 1e-3);
-    state.celsius = whole(nvml.call("nvmlDeviceGetTemperature", device, gpu_temperature, &value), value, 1);
-    state.sm = whole(nvml.call("nvmlDeviceGetClockInfo", device, sm_clock, &value), value, 1);
-    state.most_sm = whole(nvml.call("nvmlDeviceGetMaxClockInfo", device, sm_clock, &value), value, 1);
-    state.memory = whole(nvml.call("nvmlDeviceGetClockInfo", device, memory_clock, &value), value, 1);
-    unsigned long long large = 0;
-    if (nvml.call("nvmlDeviceGetTotalEnergyConsumption", device, &large))
-        state.joules = 1e-3 * static_cast<double>(large);
-    if (nvml.call("nvmlDeviceGetCurrentClocksThrottleReasons", device, &large)) state.throttled = words(large);
-    return state;
+        reading.name = name.data();
+    reading.watts = nvml.number<unsigned>(1e-3, "nvmlDeviceGetPowerUsage", device);
+    reading.celsius = nvml.number<unsigned>(1, "nvmlDeviceGetTemperature", device, gpu_temperature);
+    reading.sm = nvml.number<unsigned>(1, "nvmlDeviceGetClockInfo", device, sm_clock);
+    reading.most_sm = nvml.number<unsigned>(1, "nvmlDeviceGetMaxClockInfo", device, sm_clock);
+    reading.memory = nvml.number<unsigned>(1, "nvmlDeviceGetClockInfo", device, memory_clock);
+    reading.joules = nvml.number<unsigned long long>(1e-3, "nvmlDeviceGetTotalEnergyConsumption", device);
+    unsigned long long bits = 0;
+    if (nvml.call("nvmlDeviceGetCurrentClocksThrottleReasons", device, &bits)) reading.throttled = words(bits);
+    return reading;
 }
 
-// Returns the state of every NVIDIA GPU. `library`: file name of NVML, as passed to dlopen().
-GpuStates gpu_states(const std::string& library)
+// Returns a reading of every NVIDIA GPU. `library`: file name of NVML, as passed to dlopen().
+GpuReadings gpu_readings(const std::string& library)
 {
     const Library nvml(library);
     if (!nvml) return {.gpus = {}, .missing = library + " is not installed"};
     if (!nvml.call("nvmlInit_v2")) return {.gpus = {}, .missing = library + " finds no driver"};
-    GpuStates found;
+    GpuReadings found;
     unsigned count = 0;
     nvml.call("nvmlDeviceGetCount_v2", &count);
     for (unsigned i = 0; i < count; ++i) {
         GpuHandle device = nullptr;
-        if (nvml.call("nvmlDeviceGetHandleByIndex_v2", i, &device)) found.gpus.push_back(state_of(nvml, device));
+        if (nvml.call("nvmlDeviceGetHandleByIndex_v2", i, &device)) found.gpus.push_back(reading_of(nvml, device));
     }
     nvml.call("nvmlShutdown");
     if (found.gpus.empty()) found.missing = library + " finds no GPU";
@@ -162,7 +157,7 @@ Telemetry::Telemetry(TelemetrySources sources) : sources_(std::move(sources)), s
 {
     look_for_domains();
     open_counters();
-    for (const GpuState& gpu : gpu_states(sources_.nvml).gpus) gpu_joules_.push_back(gpu.joules.value_or(-1));
+    for (const GpuReading& gpu : gpu_readings(sources_.nvml).gpus) gpu_joules_.push_back(gpu.joules);
 }
 
 // Reads Linux' powercap interface (Documentation/power/powercap), for Intel and AMD. It has one folder per domain. If a
@@ -254,23 +249,15 @@ Json Telemetry::counters() const
 
 Json Telemetry::since_start() const
 {
-    const GpuStates states = gpu_states(sources_.nvml);
-    Json gpus = Json::array();
-    for (std::size_t i = 0; i < states.gpus.size(); ++i) {
-        const GpuState& gpu = states.gpus[i];
-        const bool known = i < gpu_joules_.size() && gpu_joules_[i] >= 0 && gpu.joules;
-        gpus.push_back({{"name", gpu.name},
-                        {"joules", known ? Json(*gpu.joules - gpu_joules_[i]) : Json()},
-                        {"watts", or_null(gpu.watts)},
-                        {"celsius", or_null(gpu.celsius)},
-                        {"sm_megahertz", or_null(gpu.sm)},
-                        {"most_sm_megahertz", or_null(gpu.most_sm)},
-                        {"memory_megahertz", or_null(gpu.memory)},
-                        {"throttled", gpu.throttled ? Json(*gpu.throttled) : Json()}});
+    GpuReadings readings = gpu_readings(sources_.nvml);
+    for (std::size_t i = 0; i < readings.gpus.size(); ++i) {
+        std::optional<double>& joules = readings.gpus[i].joules;
+        const std::optional<double> start = i < gpu_joules_.size() ? gpu_joules_[i] : std::nullopt;
+        joules = joules && start ? std::optional(*joules - *start) : std::nullopt;
     }
     return {{"energy", energy()},
             {"counters", counters()},
-            {"gpus", states.missing.empty() ? gpus : missing(states.missing)}};
+            {"gpus", readings.missing.empty() ? to_json(readings.gpus) : missing(readings.missing)}};
 }
 
 }  // namespace mandelmarch::bench

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,8 @@ public:
     //   energy: {"seconds", "domains": [{"name", "joules"}]}, from RAPL, for all processors of the machine
     //   counters: {"cycles", "instructions", ...}, from perf, for the threads of this process and all threads and
     //     processes that they start; each may be null
-    //   gpus: [{"name", "joules", "watts", "celsius", "sm_megahertz", "most_sm_megahertz", "memory_megahertz",
-    //     "throttled"}], from NVML, for the whole GPU. joules: energy since construction; all other values are current.
-    //     An unknown value is null. throttled: reason for a reduced clock frequency, "idle" or "none".
+    //   gpus: a list of readings (bench/files/gpu_reading.h) from NVML, each for the whole GPU. joules: energy since
+    //     construction; all other values are current.
     nlohmann::ordered_json since_start() const;
 
 private:
@@ -53,7 +53,7 @@ private:
     std::vector<Domain> domains_;
     std::string no_energy_;
     std::vector<Counter> counters_;
-    std::vector<double> gpu_joules_;  // at the start; below 0: unknown
+    std::vector<std::optional<double>> gpu_joules_;  // at the start
 };
 
 }  // namespace mandelmarch::bench

@@ -98,6 +98,7 @@ std::string to_csv(const Result& result)
     add_fields<Row>(names, none, nullptr, false);
     std::string text = fmt::format("{}\n", fmt::join(names, ","));
     for (const Row& row : result.rows) {
+        if (row.setting.width == 0) continue;  // a backend without a device, which has no problem
         Cells cells{csv_cell(problem_of(row)), row.application, csv_cell(row.platform),
                     row.figures ? cell_of(row.figures->pixel_rate) : ""};
         add_fields(none, cells, &row, row.timed());

@@ -2,10 +2,10 @@
 #include "bench/study/cases.h"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <map>
-#include <regex>
 #include <tuple>
 
 #include "bench/study/views.h"
@@ -121,17 +121,26 @@ Case missing(const Backend& backend, Listing listing)
     return made;
 }
 
-// Returns a function that tests whether the filter selects a name. The filter has Google Benchmark's syntax.
+// Returns true if the pattern selects the name: a pattern with *, ? or [ must match the whole name, any other must
+// occur in it.
+bool is_selected(const std::string& name, const std::string& pattern)
+{
+    if (pattern.find_first_of("*?[") == std::string::npos) return name.find(pattern) != std::string::npos;
+    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+// Returns a function that tests whether the filter (Options::filter) selects a name.
 std::function<bool(const std::string& name)> selection(const std::string& filter)
 {
-    if (filter.empty() || filter == "all") return [](const std::string&) { return true; };
+    if (filter.empty()) return [](const std::string&) { return true; };
     const bool others = filter.front() == '-';
-    try {
-        const std::regex searched(others ? filter.substr(1) : filter, std::regex::extended);
-        return [=](const std::string& name) { return std::regex_search(name, searched) != others; };
-    } catch (const std::regex_error&) {
-        throw InputError(fmt::format("--filter: '{}' given, expected a regular expression", filter));
+    const std::vector<std::string> patterns = parts_of(std::string_view(filter).substr(others ? 1 : 0));
+    if (std::ranges::count(patterns, "") != 0) {
+        throw InputError(fmt::format("--filter: '{}' given, expected texts with commas between them", filter));
     }
+    return [=](const std::string& name) {
+        return std::ranges::any_of(patterns, [&](const std::string& one) { return is_selected(name, one); }) != others;
+    };
 }
 
 }  // namespace

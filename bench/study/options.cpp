@@ -21,15 +21,21 @@ bool Options::selects(std::string_view backend) const
     return backends.empty() || std::ranges::find(backends, backend) != backends.end();
 }
 
-std::vector<std::string> parse_backends(Registry& registry, std::string_view text)
+std::vector<std::string> parts_of(std::string_view text)
 {
-    std::vector<std::string> names;
-    if (text == "all") return names;
+    std::vector<std::string> parts;
     for (std::size_t at = 0; at <= text.size();) {
         const auto comma = std::min(text.find(',', at), text.size());
-        names.emplace_back(text.substr(at, comma - at));
+        parts.emplace_back(text.substr(at, comma - at));
         at = comma + 1;
     }
+    return parts;
+}
+
+std::vector<std::string> parse_backends(Registry& registry, std::string_view text)
+{
+    if (text == "all") return {};
+    std::vector<std::string> names = parts_of(text);
     for (const std::string& name : names) {
         if (registry.open(name) != nullptr) continue;
         throw InputError(fmt::format(
@@ -78,9 +84,9 @@ void add_selection(CLI::App& app, Registry& registry, Options& options)
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
            "what to vary: " + joined(studies(), ", ", &Study::name))
         ->default_str(std::string(options.study->name));
-    app.add_option("--filter,--benchmark_filter", options.filter,
-                   "regular expression: measure only configurations whose names contain a match; with - in front, only "
-                   "the others");
+    app.add_option("--filter", options.filter,
+                   "measure only configurations whose names have one of these parts, separated by commas; a part with "
+                   "*, ? or [] must match the whole name; with - in front, only the others");
 }
 
 }  // namespace mandelmarch::bench

@@ -22,7 +22,7 @@ struct Options {
     std::vector<Precision> precisions{Precision::f64, Precision::f32};
     std::vector<Mode> modes;                  // empty: the modes of the study
     std::optional<std::pair<int, int>> size;  // pixels; nullopt: the size of the study
-    std::string filter;  // regular expression searched in names; a leading - inverts it (as in Google Benchmark)
+    std::string filter;  // patterns with commas between them (docs/bench.md); a leading - selects the other names
 
     std::optional<int> repetitions;  // exact number of rounds; nullopt: as many as needed (bench/harness/runner.h)
     int runs = 1;                    // number of runs
@@ -36,6 +36,9 @@ struct Options {
     const std::vector<Mode>& selected_modes() const { return modes.empty() ? study->modes : modes; }
     std::pair<int, int> picture_size() const { return size.value_or(std::pair(study->width, study->height)); }
 };
+
+// Returns the parts of a text that commas separate.
+std::vector<std::string> parts_of(std::string_view text);
 
 // Parses a list of backends, separated by commas, and opens them; `all`: an empty list. Throws InputError for an unknown
 // name.

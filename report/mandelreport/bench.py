@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file of bench: names and units for the part of bench/schemas/result.schema.json that the report and
-tools/figures.py use. Needs only Python's standard library."""
+"""A result file of bench: names and units for the part of bench/schemas/result.schema.json that the report
+uses."""
 
 from __future__ import annotations
 
 import functools
+import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -82,6 +83,11 @@ class Row:
         return self.data["verification"]["visibly_differing"] / self.data["verification"]["pixels"]
 
 
+def _sorted(fact: Any) -> Any:
+    """Returns a fact of a machine; a list, whose order does not count, sorted."""
+    return sorted(json.dumps(item, sort_keys=True) for item in fact) if isinstance(fact, list) else fact
+
+
 @dataclass(frozen=True)
 class Bench:
     """A result file. `name`: its path, relative to the folder of results, for display."""
@@ -127,7 +133,7 @@ class Bench:
         bench/judge/platforms.h."""
         mine, others = (bench.environment["cpu"] for bench in (self, other))
         known = [key for key in ("stepping", "flags", "caches", "cores_usable") if mine.get(key) is not None and others.get(key) is not None]
-        if any(mine[key] != others[key] for key in known):
+        if any(_sorted(mine[key]) != _sorted(others[key]) for key in known):
             return False
         boots = [bench.environment["os"].get("boot") for bench in (self, other)]
         return (boots[0] is not None and boots[0] == boots[1]) or self._same_peaks(other)

@@ -140,6 +140,16 @@ TEST(Platform, FactsThatDifferMakeTwo)
     }
 }
 
+TEST(Platform, TheOrderOfFactsDoesNotCount)
+{
+    const Result one = machine({{"flags", {"avx2", "fma"}}, {"caches", {{{"level", 3}, {"bytes", 1}}}}}, 100e9);
+    Result other = machine({{"caches", {{{"bytes", 1}, {"level", 3}}}}, {"flags", {"fma", "avx2"}}}, 100e9);
+    EXPECT_EQ(platforms(one, other), 1U);
+    EXPECT_TRUE(differences_of(one.environment, other.environment).empty());
+    other.environment["cpu"]["caches"][0]["bytes"] = 2;
+    EXPECT_EQ(platforms(one, other), 2U);
+}
+
 TEST(Platform, ItsCachesAreRead)
 {
     namespace fs = std::filesystem;

@@ -207,8 +207,8 @@ TEST(BenchProgram, WrongArgumentsExitTwo)
                                                {"--study", "nosuch"},
                                                {"--nosuch"},
                                                {"--benchmark_min_time=1"},
-                                               {"--benchmark_filter=("},
-                                               {"--benchmark_filter=nosuch"},
+                                               {"--filter=a,,b"},
+                                               {"--filter=" + std::string(20'000, '(')},
                                                {"compare", "one.json"}}) {
         EXPECT_EQ(run(Defect::none, arguments).code, exit_usage) << arguments.front();
     }
@@ -230,7 +230,7 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
     std::vector<std::string> arguments = small("exact");
     arguments.resize(arguments.size() - 2);  // without --repetitions
     arguments.insert(arguments.end(),
-                     {"--benchmark_filter=box/.*/openmp/0$", "--benchmark_repetitions=3", "--benchmark_format=json"});
+                     {"--filter=*box/*/openmp/0", "--benchmark_repetitions=3", "--benchmark_format=json"});
     const Ran ran = run(Defect::none, arguments);
     EXPECT_EQ(ran.code, exit_success) << ran.err;
     const auto json = nlohmann::json::parse(ran.out);
@@ -240,10 +240,27 @@ TEST(BenchProgram, GoogleBenchmarksFlags)
     EXPECT_EQ(json["benchmarks"][3]["aggregate_name"], "median");
     EXPECT_GT(json["benchmarks"][0]["real_time"], 0);
     EXPECT_TRUE(std::string(json["benchmarks"][0]["name"]).starts_with("mandelbox/float/exact/openmp/0"));
-    // A filter that begins with a minus selects all configurations that do not match.
-    arguments = small("exact");
-    arguments.emplace_back("--benchmark_filter=-openmp");
-    EXPECT_TRUE(row_of(run(Defect::none, arguments), "openmp").is_null());
+}
+
+// Returns the number of configurations of the study threads that the filter selects.
+std::ptrdiff_t selected(const std::string& filter)
+{
+    std::istringstream out(run(Defect::none, {"--study", "threads", "--list", "--filter", filter}).out);
+    std::ptrdiff_t count = 0;
+    for (std::string line; std::getline(out, line) && !line.empty();) count += line.starts_with("mandel") ? 1 : 0;
+    return count;
+}
+
+TEST(BenchProgram, FilterSelectsByPartsOrWholeNames)
+{
+    const std::ptrdiff_t all = selected("threads=");
+    const std::ptrdiff_t one = selected("*/threads=1");
+    EXPECT_GT(one, 0);
+    EXPECT_EQ(selected("threads=1,bulb,box"), all) << "any of the parts";
+    EXPECT_EQ(selected("-*/threads=1"), all - one);
+    EXPECT_EQ(selected("mandelbox"), selected("mandelbox*"));
+    EXPECT_EQ(selected("box*"), 0) << "a pattern must match the whole name";
+    EXPECT_EQ(selected("*" + std::string("a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*") + "x"), 0) << "in little time";
 }
 
 // bench writes into the project's folder of results only if all its sources are committed.

@@ -238,6 +238,19 @@ TEST(ResultFile, WhatItMustNotHoldIsRefused)
     EXPECT_NE(refusal_of(text_of(idle)).find("lane_use: [] given"), std::string::npos);
 }
 
+TEST(ResultFile, ImpossibleReadingsOfAGpuAreRefused)
+{
+    Json json = whole();
+    json["environment"]["telemetry"]["gpus"] =
+        Json::parse(R"([{"name": "GPU", "joules": null, "watts": 141.9, "celsius": 36, "sm_megahertz": 1755,
+                         "most_sm_megahertz": 1980, "memory_megahertz": null, "throttled": "none"}])");
+    EXPECT_EQ(refusal_of(text_of(json)), "");
+    json["environment"]["telemetry"]["gpus"][0]["celsius"] = 141873;
+    EXPECT_EQ(refusal_of(text_of(json)),
+              "file.json: environment.telemetry.gpus[0].celsius: 141873 given, expected a number from -100 to 200, "
+              "expected a result of bench --json");
+}
+
 TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
 {
     Result result = made_result({made_row("openmp", seven)});

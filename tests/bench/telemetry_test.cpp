@@ -68,6 +68,20 @@ TEST_F(MadeMachine, WhatIsMissingIsSaid)
     EXPECT_FALSE(told["energy"].contains("domains"));
 }
 
+// The stand-in (nvml.cpp) has another value for each reading.
+TEST_F(MadeMachine, AGpusReadingsAreThoseThatNvmlNames)
+{
+    const Telemetry telemetry({.powercap = folder_, .nvml = MANDELMARCH_NVML_STAND_IN});
+    EXPECT_EQ(telemetry.since_start()["gpus"], nlohmann::ordered_json::array({{{"name", "stand-in"},
+                                                                               {"joules", nullptr},
+                                                                               {"watts", 141.873},
+                                                                               {"celsius", 36.0},
+                                                                               {"sm_megahertz", 1755.0},
+                                                                               {"most_sm_megahertz", 1980.0},
+                                                                               {"memory_megahertz", 2619.0},
+                                                                               {"throttled", "power cap"}}}));
+}
+
 // Some machines do not permit performance counters. On all others the counters must count the work.
 TEST_F(MadeMachine, CountersCountOrSayWhyNot)
 {
