@@ -81,9 +81,9 @@ bench: build ## the standard study in three processes, one after the other: resu
 	@mkdir -p results
 	@bin/bench --backend all --runs $(RUNS) --json results/bench.json --csv results/bench.csv
 
-march-native: ## bench as a user may build it, with -march=native, by g++ and clang++ (20 min, estimated)
-	@tools/build march-native bench
-	@tools/build march-native-clang bench
+march-native: ## render as a user may build it, with -march=native, by g++ and clang++ (20 min, estimated)
+	@tools/build march-native render
+	@tools/build march-native-clang render
 
 # Parameter files of scenes that differ are written to build/equivalence.
 SCENES ?= 1000

@@ -82,8 +82,7 @@ def of_uncommitted_sources(path):
         return False
     data = read_json(Path(path), "a result in JSON")
     with reading(path, "a result of bench"):
-        sides = (data, data.get("old", {}), data.get("new", {}))  # a duel has two programs
-        return any(side.get("environment", {}).get("git", {}).get("dirty", False) for side in sides)
+        return data.get("environment", {}).get("git", {}).get("dirty", False)
 
 
 def fail(message, code=1):

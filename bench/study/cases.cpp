@@ -11,6 +11,7 @@
 #include "bench/study/views.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
+#include "core/scene/parameter_file.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -79,14 +80,20 @@ void set_device(Case& one, int index, const Device& device)
 }
 
 // Sets the scene and the options that the row describes, and the values of the setting that follow from the scene.
-void realise(Case& one, std::pair<int, int> size)
+void realise(Case& one, const Options& options)
 {
     Row& row = one.row;
     Setting& setting = row.setting;
-    for (const View& view : views_of(one.scene.fractal->short_name, size.first, size.second)) {
-        if (view.name == setting.view) one.scene = view.scene;
-    }
     Scene& scene = one.scene;
+    const auto [width, height] = options.picture_size();
+    for (const View& view : views_of(scene.fractal->short_name, width, height)) {
+        if (view.name == setting.view) scene = view.scene;
+    }
+    if (!options.scene.empty()) {
+        scene = read_parameters(options.scene, *scene.fractal).scene;
+        if (options.size) std::tie(scene.width, scene.height) = *options.size;
+        setting.view = options.scene;
+    }
     if (setting.width != 0) {
         scene.width = setting.width;
         scene.height = setting.height;
@@ -150,6 +157,9 @@ std::string platform_of(const Device& device) { return device.is_gpu ? device.na
 std::vector<Case> cases_of(const Registry& registry, const Options& options)
 {
     const Study& study = *options.study;
+    if (!options.scene.empty() && options.fractals.size() != 1) {
+        throw InputError("--scene without --fractal given, expected the fractal that the file is of");
+    }
     const bool baselines = study.baselines;
     const auto asked = [&](const Backend& backend) { return options.selects(backend.name()); };
     std::vector<const Backend*> backends;
@@ -196,7 +206,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
                            one.row.mode != options.selected_modes().front();
         return (one.backend->info().foreign && again) || !(asked(*one.backend) || is_baseline(one)) || !study.keeps(one) || !chosen(one.row.name());
     });
-    for (Case& one : cases) realise(one, options.picture_size());
+    for (Case& one : cases) realise(one, options);
     cases.insert(cases.end(), without_device.begin(), without_device.end());
     // Sort the configurations in the order of the table: those of the same picture, or of the same fractal's ladder,
     // stand together. Backends without a device come last.

@@ -21,7 +21,8 @@ struct Options {
     std::vector<const Fractal*> fractals = default_fractals();
     std::vector<Precision> precisions{Precision::f64, Precision::f32};
     std::vector<Mode> modes;                  // empty: the modes of the study
-    std::optional<std::pair<int, int>> size;  // pixels; nullopt: the size of the study
+    std::string scene;                        // parameter file of the only fractal; empty: the views of the study
+    std::optional<std::pair<int, int>> size;  // pixels; nullopt: the size of `scene` or of the study
     std::string filter;  // patterns with commas between them (docs/bench.md); a leading - selects the other names
 
     std::optional<int> repetitions;  // exact number of rounds; nullopt: as many as needed (bench/harness/runner.h)
@@ -47,7 +48,7 @@ std::vector<std::string> parse_backends(Registry& registry, std::string_view tex
 // Parses a fractal's name. Returns that fractal, or `all` for the text "all".
 std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all);
 
-// Declares --backend, --fractal, --precision, --mode, --size, --study and --filter, which set members of `options`.
+// Declares --backend, --fractal, --precision, --mode, --scene, --size, --study and --filter, which set members of `options`.
 void add_selection(CLI::App& app, Registry& registry, Options& options);
 
 }  // namespace mandelmarch::bench

@@ -71,8 +71,6 @@ class Results:
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
     lines_of_code: list[dict[str, Any]] = field(default_factory=list)  # the models of tools/lines_of_code.py
-    races: list[dict[str, Any]] = field(default_factory=list)  # bench race --json
-    duels: list[str] = field(default_factory=list)  # bench duel --json; names of files
     flight_studies: list[str] = field(default_factory=list)  # the tables of make flight-study
 
     def study(self, name: str) -> list[Bench]:
@@ -159,14 +157,10 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
         results.random.append(checked(name, data, "random"))
     elif kind.get("schema") == "mandelmarch-lines-of-code":
         results.lines_of_code = data["models"]
-    elif kind.get("schema") == "mandelmarch-race":
-        results.races.append(checked(name, data, "race"))
     elif kind.get("format") == "mandelmarch flight map 1":
         results.maps.append(read_map(name, checked(name, data, "map")))
     elif kind.get("schema") == "mandelmarch-film":
         results.films.append(read_film(name, checked(name, data, "film")))
-    elif kind.get("schema") == "mandelmarch-duel":
-        results.duels.append(name)
     elif "promises_kept" in kind:
         results.audits.append(checked(name, data, "audit"))
     else:

@@ -102,15 +102,6 @@ class Page:
         cells = ((of(row, lines), of(row, columns), _cell(bench, row, what)) for bench in benches for row in bench.timed(**wanted))
         return _pivoted(cells, f"{', '.join(bench.name for bench in benches)}; {benches[0].machine}.")
 
-    def duel(self, name: str) -> Table:
-        """Returns a table of the speed-ups of a duel's second program over the first."""
-        duel = self.results.files[f"{name}.json"]
-        cells = []
-        for one in (one for one in duel["verdicts"] if "/" in one["name"]):
-            *kind, backend = one["name"].split("/")[:4]
-            cells.append((", ".join(kind), backend, with_interval(1 / one["ratio"], [1 / end for end in reversed(one["interval"])])))
-        return _pivoted(cells, f"{name}.json: {duel['new']['environment']['build']['compiler']}.")
-
     def files(self) -> Table:
         rows = []
         for bench in self.results.benches:

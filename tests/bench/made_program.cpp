@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// racer FILE.dat: a serial program that renders the Mandelbox, like the programs that `bench race` compares with
-// mandelmarch. The environment variable RACER selects a fault: nearly, wrong, size, silent, elsewhere, text, fails,
-// crashes, hangs, or forks (and hangs). If RACER is not set, the program has no fault.
+// made_program FILE.dat: a serial program that renders the Mandelbox, for tests of the backend `program`. The environment
+// variable MADE_FAULT selects a fault: nearly, wrong, size, silent, elsewhere, text, fails, crashes, hangs, or forks
+// (and hangs). If it is not set, the program has no fault.
 #include <unistd.h>
 
 #include <csignal>
@@ -35,7 +35,7 @@ void draw(const std::string& file, const std::string& wrong)
 
 int main(int, char** argv)
 {
-    const char* given = std::getenv("RACER");
+    const char* given = std::getenv("MADE_FAULT");
     const std::string wrong = given == nullptr ? "" : given;
     if (wrong == "silent") return 0;
     if (wrong == "text") {
@@ -43,7 +43,7 @@ int main(int, char** argv)
         return 0;
     }
     if (wrong == "fails") {
-        std::fputs("racer: I cannot\n", stderr);
+        std::fputs("made_program: I cannot\n", stderr);
         return 3;
     }
     if (wrong == "crashes") std::raise(SIGSEGV);

@@ -24,10 +24,10 @@ PATHS = {path.name.removesuffix(".schema.json"): path for path in (SOURCE / "ben
 SCHEMAS = {kind: json.loads(path.read_text()) for kind, path in PATHS.items()}
 REGISTRY = jsonschema_rs.Registry([(schema["$id"], schema) for schema in SCHEMAS.values()])
 BY_NAME = {
-    "mandelmarch-bench": "result", "mandelmarch-bench-random": "random", "mandelmarch-duel": "duel",
-    "mandelmarch-bench-equivalence": "equivalence", "mandelmarch-film": "film", "mandelmarch-race": "race",
+    "mandelmarch-bench": "result", "mandelmarch-bench-random": "random",
+    "mandelmarch-bench-equivalence": "equivalence", "mandelmarch-film": "film",
 }
-GENERATED = ("duel", "equivalence", "portability", "race", "random", "result")
+GENERATED = ("equivalence", "portability", "random", "result")
 
 
 def kind_of(data):
@@ -83,10 +83,6 @@ def written(folder):
     run(bench, "portability", results / "bench.json", results / "targets.json", "--json", folder / "portability.json")
     run(bench, "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float", "--repetitions", 1,
         "--json", folder / "result.json")
-    run(bench, "duel", bench, bench, "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float",
-        "--runs", 2, "--repetitions", 1, "--json", folder / "duel.json")
-    run(bench, "race", BIN / "bench_racer", "/bin/false", "--fractal", "box", "--size", "32x32", "--repetitions", 1, "--json",
-        folder / "race.json")
     run(BIN / "mandelbox", SOURCE / "paramsBox.dat", "--size", "32x32", "--output", folder / "a.bmp", "--stats",
         folder / "stats.json")
     run(BIN / "demo", "--folder", folder / "demo", "--side", 32)

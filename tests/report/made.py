@@ -187,52 +187,6 @@ def film() -> dict[str, Any]:
     return stored("film.json") | {"frames": 7200, "frames_rendered": 7200, "seconds": 1800.0}
 
 
-def race(environment: dict[str, Any]) -> dict[str, Any]:
-    def program(name: str, verdict: str, why: str | None, seconds: float | None) -> dict[str, Any]:
-        return {
-            "name": name,
-            "ours": name == "openmp",
-            "verdict": verdict,
-            "why": why,
-            "exit_code": 0,
-            "signal": None,
-            "picture": {"width": 60, "height": 40, "differing": 24, "visibly_differing": 3, "first_x": 1, "first_y": 2, "psnr_db": 40.5},
-            "memory": 3 * 2**20,
-            "wall": summary(seconds) if seconds else None,
-            "times_ours": 7.77 if seconds else None,
-            "times_ours_interval": None,
-            "samples": [{"round": 0, "wall": seconds, "processor": 0.1}] if seconds else [],
-        }
-
-    programs = [program("openmp", "close", None, 0.5), program("./theirs", "close", None, 0.4567), program("./bad", "WRONG", "24 pixels", None)]
-    named = {key: environment[key] for key in ("date", "git", "build", "cpu", "memory", "os", "backends", "icds", "variables")}
-    return {
-        "schema": "mandelmarch-race",
-        "version": 2,
-        "environment": named,
-        "fractal": "mandelbox",
-        "width": 60,
-        "height": 40,
-        "parameters": "",
-        "limit": 60,
-        "rounds": 6,
-        "warnings": [],
-        "programs": programs,
-    }
-
-
-def duel() -> dict[str, Any]:
-    """Returns a duel whose second program was built for its processor, with -march=native."""
-    build = {"compiler": "GNU 99", "flags": "-march=native -O3"}
-    ratios = {"mandelbulb/double/exact": 0.9, "mandelbox/double/exact": 1.25, "mandelbox/double/fast": 0.8}
-    return {
-        "schema": "mandelmarch-duel",
-        "version": 2,
-        "new": {"environment": bench()["environment"] | {"build": build}},
-        "verdicts": [{"name": f"{name}/stdpar/0", "ratio": ratio} for name, ratio in ratios.items()],
-    }
-
-
 def everything() -> dict[str, Any]:
     return {
         "bench.json": with_scalar(),
@@ -246,6 +200,4 @@ def everything() -> dict[str, Any]:
         "flight.json": audit(),
         "film.json": film(),
         "lines_of_code.json": stored("lines_of_code.json"),
-        "race.json": race(bench()["environment"]),
-        "native.json": duel(),
     }

@@ -148,23 +148,6 @@ def lines_of_code(models: list[dict[str, Any]]) -> Table:
     return Table(["backend", "own lines", "of core/job", "of core/kernel"], rows, "Lines of code that each backend needs.", [1, 2, 3])
 
 
-def _race(race: dict[str, Any]) -> Table:
-    def cells(program: dict[str, Any]) -> list[str]:
-        picture, wall, ratio, interval = (program[key] for key in ("picture", "wall", "times_ours", "times_ours_interval"))
-        off = percent(picture["differing"] / (picture["width"] * picture["height"]), 3) if picture else "–"
-        time = with_interval(wall["median"], wall["interval"], ms) if wall else "–"
-        times = with_interval(ratio, interval) if ratio else "–"
-        return [program["name"], program["verdict"], off, time, times, f"{program['memory'] / 2**20:.0f}", program["why"] or ""]
-
-    return Table(
-        ["program", "picture", "pixels that differ", "process ms", "times ours", "MiB", "reason"],
-        [cells(program) for program in race["programs"]],
-        f"Race: complete processes in alternation, {race['fractal']}, {race['width']} x {race['height']} pixels, "
-        f"{race['rounds']} rounds, on {race['environment']['cpu']['model']}. A wrong picture has no time.",
-        [2, 3, 4, 5],
-    )
-
-
 def section(material: Material) -> dict[str, Any]:
     entries = _portability(material)
     metric = [entry for entry in entries if not entry["not_measured"]]
@@ -175,7 +158,6 @@ def section(material: Material) -> dict[str, Any]:
         _simd_widths(material),
         _peaks(material),
         factor_table(material),
-        *map(_race, material.results.races),
     ]
     return {
         "tables": [table for table in tables if table],
