@@ -51,14 +51,9 @@ def worth(results, technique, fractal, precision):
     return bracketed(*ratio_of(results, "ablation", "to_first_value", row))
 
 
-def convergence(results, key="convergence"):
-    """Code convergence of all backends, or the value of another key of code_divergence.json."""
-    return f"{results.json('code_divergence')[key]:.2f}"
-
-
 def own_lines(results, backend):
     """Lines of code in a backend's own folder and, if it shares core/job, those that it uses of core/job."""
-    model = next(model for model in results.json("code_divergence")["models"] if model["backend"] == backend)
+    model = next(model for model in results.json("lines_of_code")["models"] if model["backend"] == backend)
     return f"{model['lines']} + {model['lines_of_job']}" if model["lines_of_job"] else str(model["lines"])
 
 
@@ -192,40 +187,10 @@ def film(results, key):
     return f"{results.json('film')[key]:.0f}"
 
 
-K40_MILLISECONDS = -2  # index of the lower expected time in a line's words; the upper one is last
-
-
-def k40(results, fractal, precision, mode):
-    """Minimum milliseconds expected for the march of a 1920 x 1080 frame on a Tesla K40."""
-    for line in results.text("k40_expected.txt").splitlines():
-        words = line.split()
-        if words[:3] == [FRACTALS[fractal], precision, mode]:
-            return words[K40_MILLISECONDS]
-    raise InputError(f"k40_expected.txt has no line {fractal} {precision} {mode}")
-
-
-def duels(results, machine, clock, programs):
-    """Number of duels in which the verdict on any configuration is faster or slower. `machine`: quiet or loaded;
-    `programs`: equal or slower."""
-    section = what = None
-    for line in results.text("duel_study.txt").splitlines():
-        called = re.search(r"^ .*: (\d+ of \d+)$", line)
-        if " busy processes, --clock " in line:
-            section = ("quiet" if line.startswith("0 ") else "loaded", line.split()[-1])
-        elif called and (section, what) == ((machine, clock), programs):
-            return called[1]
-        elif not line.startswith(" "):
-            what = "equal" if line.startswith("equal") else "slower"
-    raise InputError(f"duel_study.txt has no duels of {machine} {clock} {programs}")
-
-
 NUMBERS = {
     "backends-with-same-bits": backends_with_same_bits,
-    "convergence": convergence,
     "cost": cost,
-    "duels": duels,
     "film": film,
-    "k40": k40,
     "ladder": ladder,
     "model-cost": model_cost,
     "ms": ms,

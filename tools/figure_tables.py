@@ -40,9 +40,9 @@ def measured(results, *studies):
 
 
 def lines_of_code(results):
-    """Lines of code that each backend needs, from tools/code_divergence.py."""
+    """Lines of code that each backend needs, from tools/lines_of_code.py."""
     rows = [[f"`{m['backend']}`", str(m["lines"]), str(m["lines_of_job"]), str(m["lines_of_kernel"])]
-            for m in results.json("code_divergence")["models"]]
+            for m in results.json("lines_of_code")["models"]]
     return table(["backend", "lines of its own", "of core/job", "of core/kernel"], rows)
 
 
@@ -204,16 +204,6 @@ def aloud(results, name):
     ])
 
 
-def samples(results):
-    """Table of the gain from several samples per pixel, measured by make flight-study."""
-    found = {}
-    for words in (line.split() for line in results.text("flight_samples.txt").splitlines()):
-        if len(words) == 6 and words[0] in FRACTALS.values() and words[4] == "%":
-            found.setdefault(words[1], {})[words[0]] = (words[2], words[3] + " %")
-    head = ["samples a pixel", *(f"{name}, {what}" for name in FRACTALS for what in ("rms difference", "visibly off"))]
-    return table(head, [[count, *(cell for name in FRACTALS.values() for cell in of[name])] for count, of in found.items()])
-
-
 def missed(results):
     """Table of the audit items whose thresholds some seeds do not keep, measured by make flight-study."""
     rows, fractal = [], ""
@@ -242,7 +232,6 @@ TABLES = {
     "measured": measured,
     "missed": missed,
     "random": random,
-    "samples": samples,
     "study": study,
     "targets": targets,
 }

@@ -79,7 +79,7 @@ def difference(old, new):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
-    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "report" / "results")
+    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "results")
     parser.add_argument("file", type=pathlib.Path, nargs="+")
     args = parser.parse_args()
     results = Files(args.results)
