@@ -156,17 +156,20 @@ std::pair<double, std::string> largest_estimate(Scene scene)
     return largest;
 }
 
-// No ray hits the surface within the sphere that flights trust to be free (Trust::safety).
+// No ray hits the surface within the sphere that flights trust to be free (Trust::safety). Negative control: it would
+// if the estimates were four times as large; those of the Mandelbulb and the Mandelbox, already 1.3 times.
 TEST_P(EveryFractal, EstimatesAreAsSafeAsTheDescriptorSays)
 {
+    double worst = 0;
     for (Scene scene : scenes()) {
         for (const bool conservative : {false, true}) {
             scene.conservative = conservative;
             const auto [largest, where] = largest_estimate(scene);
-            EXPECT_LE(fractal().flight.trust_of(scene).safety * largest, 1) << "of an estimate, " << where;
-            fmt::print("{} {} {:.3f} {}\n", fractal().name, conservative, largest, where);
+            worst = std::max(worst, fractal().flight.trust_of(scene).safety * largest);
+            EXPECT_LE(worst, 1) << "times the distance, " << where;
         }
     }
+    EXPECT_GT(4 * worst, 1);
 }
 
 std::vector<const Fractal*> all_fractals()

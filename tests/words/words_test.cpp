@@ -91,8 +91,10 @@ bool covered(int word, Real a, Real b)
     const std::string_view name = names.at(static_cast<std::size_t>(word));
     const auto subnormal = [](Real x) { return std::fpclassify(x) == FP_SUBNORMAL; };
     if (subnormal(a) || subnormal(b) || subnormal(expected(word, a, b))) return false;
-    if (name == "exponent_of" || name == "natural_log") return std::isnormal(a);
-    if (name == "two_to") return std::abs(a) <= Real(std::numeric_limits<Real>::max_exponent - 2);
+    constexpr int most = std::numeric_limits<Real>::max_exponent - 2;  // of an exponent whose negative is one, too
+    if (name == "exponent_of") return std::isnormal(a);
+    if (name == "natural_log") return std::isnormal(a) && std::ilogb(a) <= most;
+    if (name == "two_to") return std::abs(a) <= Real(most);
     if (name == "clipped" || name == "exponential") return !std::isnan(a);
     if (name == "cosine" || name == "sine") return std::abs(a) < 1000;
     if (name == "angle_of") return std::isfinite(a) && std::isfinite(b);
@@ -204,9 +206,11 @@ TYPED_TEST(Words, OfPacksHaveTheirBits)
         }
     };
     if constexpr (sizeof(TypeParam) == 4) {
-        compute(pack32::real(), pack32::result_of, pack32::pack_lanes);
+        compute(
+            pack32::real(), [](auto... of) { return pack32::result_of(of...); }, pack32::pack_lanes);
     } else {
-        compute(pack64::real(), pack64::result_of, pack64::pack_lanes);
+        compute(
+            pack64::real(), [](auto... of) { return pack64::result_of(of...); }, pack64::pack_lanes);
     }
     EXPECT_EQ(this->different(answers), none);
 }
@@ -227,16 +231,16 @@ TYPED_TEST(Words, OfOpenclHaveTheirBits)
             program.build({device}, build.options.c_str());
             cl::Kernel kernel(program, "answer");
             std::vector<TypeParam> answers(names.size() * pairs);
-            cl::Buffer out;
-            for (cl_uint at = 0; std::vector<TypeParam> * of : {&this->a, &this->b, &answers}) {
-                out = cl::Buffer(context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, of->size() * sizeof(TypeParam),
-                                 of->data());
-                kernel.setArg(at++, out);
+            std::vector<cl::Buffer> buffers;
+            for (std::vector<TypeParam>* of : {&this->a, &this->b, &answers}) {
+                buffers.emplace_back(context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, of->size() * sizeof(TypeParam),
+                                     of->data());
+                kernel.setArg(static_cast<cl_uint>(buffers.size() - 1), buffers.back());
             }
             kernel.setArg(3, static_cast<int>(names.size()));
             queue.enqueueNDRangeKernel(kernel, cl::NullRange,
                                        cl::NDRange(pairs / static_cast<std::size_t>(build.lanes)));
-            queue.enqueueReadBuffer(out, CL_TRUE, 0, answers.size() * sizeof(TypeParam), answers.data());
+            queue.enqueueReadBuffer(buffers.back(), CL_TRUE, 0, answers.size() * sizeof(TypeParam), answers.data());
             EXPECT_EQ(this->different(answers), none)
                 << device.getInfo<CL_DEVICE_NAME>() << ", " << build.lanes << " lanes";
         }
