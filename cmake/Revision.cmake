@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs at every build (cmake -P). Writes to OUTPUT the git revision of SOURCE and whether tracked files differ from this
 # revision; leaves OUTPUT untouched if its content stays the same. Sources of an unknown revision count as changed.
-# Result files (report/results) are ignored, so that measurements, which write them, do not mark the sources as changed.
+# Result files (results/) are ignored, so that measurements, which write them, do not mark the sources as changed.
 set(revision unknown)
 set(dirty true)
 # The option allows sources that belong to another user, as in shared folders of clusters.
@@ -13,7 +13,7 @@ execute_process(COMMAND ${git} rev-parse HEAD OUTPUT_VARIABLE found RESULT_VARIA
 if(NOT failed AND own)
     set(revision ${found})
     execute_process(COMMAND ${git} status --porcelain --untracked-files=no
-        -- . ":(exclude)report/results" OUTPUT_VARIABLE changes RESULT_VARIABLE failed ERROR_QUIET)
+        -- . ":(exclude)results" OUTPUT_VARIABLE changes RESULT_VARIABLE failed ERROR_QUIET)
     if(NOT failed AND NOT changes)
         set(dirty false)
     endif()

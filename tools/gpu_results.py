@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """gpu_results.py RESULTS.tgz INTO: unpacks the results of packaging/gpu_check into INTO/DEVICE and writes a summary
-page, README.md: backends with the same bits, measured and expected times, and the last output lines of failed steps."""
+page, README.md: backends with the same bits, kernel times, and the last output lines of failed steps. bench's JSON
+files stay beside it; all other files are packed into logs.tar.xz."""
 import argparse
 import glob
 import json
@@ -14,7 +15,6 @@ import tempfile
 
 STEP = re.compile(r"^(\S+) +(passed|skipped|failed|late) +(\d+) s  ?(.*)$")
 BACKENDS = ("cuda", "hip", "openacc", "omptarget", "opencl", "vulkan")
-EXPECTED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report", "results")
 
 
 def fail(text):
@@ -48,16 +48,6 @@ def steps_of(folder):
             if found}
 
 
-def expected_times(device):
-    """Returns, by backend, fractal, precision and mode, the range of the kernel time in milliseconds that is expected
-    on the GPU whose name is in `device`. An H200 has the H100's multiprocessors."""
-    for gpu, names in {"k40": ("K40",), "h100": ("H100", "H200")}.items():
-        if any(name in device for name in names):
-            lines = map(str.split, text_of(EXPECTED, f"{gpu}_expected.txt").splitlines())
-            return {(words[3], *words[:3]): (float(words[-2]), float(words[-1])) for words in lines if len(words) == 12 and words[3] in BACKENDS}
-    return {}
-
-
 def rows_of(folder):
     """Yields the timed and verified configurations in bench's results of the steps t-*."""
     for path in sorted(glob.glob(os.path.join(folder, "t-*.json"))):
@@ -68,17 +58,14 @@ def rows_of(folder):
         yield from (row for row in rows if row["figures"] and row["verification"]["passed"])
 
 
-def times(folder, device):
+def times(folder):
     """Returns words for the number of pictures and their size, empty if there are none, and a table: the kernel
     milliseconds of each backend, for each fractal, precision and mode."""
-    expected = expected_times(device)
     sizes, counts, cells = set(), set(), {}
     for row in rows_of(folder):
         kind = row["fractal"], row["precision"], row["mode"]
         milliseconds = 1000 * row["figures"]["kernel_seconds"]["median"]
-        low, high = expected.get((row["backend"], *kind), (None, None))
-        beside = "" if low is None else f" ({low:.3g} to {high:.3g})"
-        cells.setdefault(kind, {})[row["backend"]] = f"{milliseconds:.4g}{beside}"
+        cells.setdefault(kind, {})[row["backend"]] = f"{milliseconds:.4g}"
         counts.add(len(row["samples"]))
         sizes.add(f"{row['setting']['width']} x {row['setting']['height']}")
     timed = [name for name in BACKENDS if any(name in row for row in cells.values())]
@@ -100,10 +87,9 @@ def page(folder, device, steps):
     same = [name for name in tried if steps[name][0] == "passed"]
     summary += ["", f"- Same bits as the host: {', '.join(same) or 'no backend'}."]
     summary += [f"- {name}: {steps[name][2] or steps[name][0]}." for name in tried if name not in same]
-    pictures, table = times(folder, device)
+    pictures, table = times(folder)
     if pictures:
-        summary += ["", f"Median kernel times in ms of {pictures}, in a single run, with the expected range in brackets",
-                    "([why many are longer](../../../docs/gpu-predictions.md#beside-measured-times)):", "", *table]
+        summary += ["", f"Median kernel times in ms of {pictures}, in a single run:", "", *table]
     broken = [(name, *step) for name, step in steps.items() if step[0] in ("failed", "late") and name not in BACKENDS]
     if broken:
         summary += ["", *(f"- Step {name} {result}: {words or 'no output'}" for name, result, _, words in broken)]
@@ -130,6 +116,16 @@ def free_folder(into, name):
     fail(f"{into}: already has 999 results of {name}")
 
 
+def pack_logs(folder):
+    """Packs all files into logs.tar.xz and removes them, except the page and bench's results."""
+    with tarfile.open(os.path.join(folder, "logs.tar.xz"), "w:xz") as tar:
+        for name in sorted(set(os.listdir(folder)) - {"README.md", "logs.tar.xz"}):
+            path = os.path.join(folder, name)
+            if name.startswith("seen-") or not name.endswith(".json"):
+                tar.add(path, name)
+                (shutil.rmtree if os.path.isdir(path) else os.remove)(path)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results")
@@ -144,12 +140,7 @@ def main():
         device = device_of(folder)
         with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
             file.write(page(folder, device, steps))
-        # The stats of the exact pictures are in the summary. Pictures with other bits are kept.
-        for path in [*glob.glob(os.path.join(folder, "bits-*", "*.json")), *glob.glob(os.path.join(folder, "seen-*"))]:
-            os.remove(path)
-        for path in glob.glob(os.path.join(folder, "bits-*")):
-            if not os.listdir(path):
-                os.rmdir(path)
+        pack_logs(folder)
         name = ("rehearsal-" if text_of(folder, "rehearsal") else "") + re.sub(r"[^A-Za-z0-9]+", "-", device).strip("-")
         target = free_folder(arguments.into, name)
         shutil.move(folder, target)

@@ -98,7 +98,7 @@ def clean_revision(sources, program):
     """Returns the revision of the sources if they are committed and `program` was built from them. Otherwise prints a
     line and returns None."""
     revision = git(sources, "rev-parse", "HEAD")
-    if not revision or git(sources, "status", "--porcelain", "--untracked-files=no", "--", ".", ":(exclude)report/results"):
+    if not revision or git(sources, "status", "--porcelain", "--untracked-files=no", "--", ".", ":(exclude)results"):
         fail("the sources differ from the revision: commit first, as one result after the other must be of the same sources")
         return None
     try:
@@ -117,7 +117,7 @@ def main():
     parser.add_argument("--list", default=os.path.join(HERE, "results.txt"))
     parser.add_argument("--programs", default=os.path.join(ROOT, "bin"))
     parser.add_argument("--work", default=os.path.join(ROOT, "build", "results"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "report", "results"))
+    parser.add_argument("--output", default=os.path.join(ROOT, "results"))
     parser.add_argument("--sources", default=ROOT, help="the repository (default: this one)")
     parser.add_argument("file", nargs="*")
     arguments = parser.parse_args()

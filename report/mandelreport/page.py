@@ -16,7 +16,6 @@ MAIN = [
     ("speed", "Speed of the backends"),
     ("why", "Mandelbox or Mandelbulb, float or double"),
     ("parallel", "Parallelisation"),
-    ("gpu", "Prediction for GPUs"),
     ("film", "The film and the choice of its frames"),
     ("discussion", "Discussion"),
     ("related", "Related work"),

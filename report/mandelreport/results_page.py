@@ -80,7 +80,7 @@ class Page:
         none = Path(os.devnull)
         self.results, self.material = results, Material(results, Studio(none, Cache(none)), none)
         self.front = front.section(self.material)
-        self.random, self.lines_of_code = pictures.random_errors(results.random), tables.lines_of_code(results.code_divergence)
+        self.random, self.lines_of_code = pictures.random_errors(results.random), tables.lines_of_code(results.lines_of_code)
 
     def bench(self, name: str) -> Bench:
         found = next((bench for bench in self.results.benches if bench.name == f"{name}.json"), None)

@@ -16,7 +16,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr double run_scatter = 0.015;  // standard deviations of logarithms, as in report/results/bench.json
+constexpr double run_scatter = 0.015;  // standard deviations of logarithms, as in results/bench.json
 constexpr double sample_scatter = 0.02;
 constexpr double target = 0.93;
 constexpr int studies = 2000;

@@ -28,7 +28,7 @@ def same(one, other):
 
 
 checked = 0
-for path in sorted((SOURCE / "report" / "results").rglob("*.json")):
+for path in sorted((SOURCE / "results").rglob("*.json")):
     stored = json.loads(path.read_text())
     if isinstance(stored, dict) and stored.get("schema") == "mandelmarch-bench":
         found = derived(path)
@@ -40,7 +40,7 @@ for path in sorted((SOURCE / "report" / "results").rglob("*.json")):
 assert checked > 20, checked
 
 # Negative control: if a sample differs, so do the figures.
-changed = json.loads((SOURCE / "report" / "results" / "bench.json").read_text())
+changed = json.loads((SOURCE / "results" / "bench.json").read_text())
 row = next(row for row in changed["rows"] if row["figures"])
 for sample in row["samples"]:
     sample["kernel"] *= 2

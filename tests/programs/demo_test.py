@@ -150,7 +150,7 @@ class DemoTest(unittest.TestCase):
         self.assertRegex(self.text, r'<option value="[\w-]+">openmp, float, fast</option>')
 
     def test_there_is_a_button_for_every_view(self):
-        names = [path.name.split(".")[0].capitalize() for path in Path(SOURCE, "views").glob("*.*.dat")]
+        names = [path.name.split(".")[0].capitalize() for path in Path(SOURCE, "scenes").glob("*.*.dat")]
         buttons = re.findall(r'data-view="\d+">(\w+)<', self.text)
         self.assertEqual(sorted(buttons), sorted(names))
         self.assertEqual(buttons[0], "Reef")

@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-STORED = Path(__file__).parents[2] / "report" / "results"
+STORED = Path(__file__).parents[2] / "results"
 
 
 def stored(name: str) -> Any:
@@ -187,10 +187,6 @@ def film() -> dict[str, Any]:
     return stored("film.json") | {"frames": 7200, "frames_rendered": 7200, "seconds": 1800.0}
 
 
-def code_divergence() -> dict[str, Any]:
-    return stored("code_divergence.json") | {"convergence": 0.5679}
-
-
 def race(environment: dict[str, Any]) -> dict[str, Any]:
     def program(name: str, verdict: str, why: str | None, seconds: float | None) -> dict[str, Any]:
         return {
@@ -249,7 +245,7 @@ def everything() -> dict[str, Any]:
         "map.json": flight_map(),
         "flight.json": audit(),
         "film.json": film(),
-        "code_divergence.json": code_divergence(),
+        "lines_of_code.json": stored("lines_of_code.json"),
         "race.json": race(bench()["environment"]),
         "native.json": duel(),
     }

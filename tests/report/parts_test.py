@@ -9,7 +9,6 @@ import tempfile
 import unittest
 import warnings
 from pathlib import Path
-from types import SimpleNamespace
 
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
@@ -22,7 +21,7 @@ from mandelreport.bench import SAME_PEAK, Bench  # noqa: E402
 from mandelreport.blocks import Numbers, ref  # noqa: E402
 from mandelreport.pictures import Cache, Studio  # noqa: E402
 from mandelreport.results import read_results  # noqa: E402
-from mandelreport.sections import Material, gpu, parallel  # noqa: E402
+from mandelreport.sections import Material, parallel  # noqa: E402
 
 
 class PartsTest(unittest.TestCase):
@@ -148,28 +147,10 @@ class PartsTest(unittest.TestCase):
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "c.json"])
         self.assertEqual(found.primary().name, "a.json")
 
-    def test_a_gpu_that_was_measured_stands_beside_its_prediction(self) -> None:
-        line = "mandelbulb float fast cuda 79 247 63% 49% 0.4 0.3 0.4 0.7\n"
-        files: dict[str, object] = {"h.txt": f"H100 on paper, x\n{line}", "k.txt": f"K40 on paper, x\n{line}"}
-        data = made.bench()
-        row = next(r for r in data["rows"] if (r["fractal"], r["precision"], r["mode"]) == ("mandelbulb", "float", "fast"))
-        row |= {"is_gpu": True, "device_name": "NVIDIA H200", "backend": "cuda", "application": "cuda"}
-        row["setting"] |= {"width": 1920, "height": 1080}
-        row["figures"]["kernel_seconds"] |= {"median": 0.0008, "interval": None}
-        files["bench.json"] = data
-        results = read_results(made.write(self.folder / "results", files))
-        found = gpu.section(SimpleNamespace(results=results, backends=results.backends()))["tables"]
-        self.assertEqual([table.caption.partition(":")[0] for table in found], ["K40", "H100"])
-        self.assertNotIn("measured ms", found[0].headers)
-        self.assertEqual(found[1].rows[0][11:14], ["0.7", "0.8", "2.00"])
-
     def test_texts_are_known_by_their_first_line(self) -> None:
-        files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n", "c.txt": "loop mix: y\n"}
-        files |= {"d.txt": "K40 on paper, x\n", "e.txt": "ptxas 11.8, y\n"}
+        files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n"}
         found = read_results(made.write(self.folder / "results", files))
         self.assertEqual(found.flight_studies, ["flight study: x\n"])
-        self.assertEqual(found.loop_mix, "loop mix: y\n")
-        self.assertEqual(found.k40, "K40 on paper, x\n\nptxas 11.8, y\n")
 
     def test_negative_levels_have_an_axis(self) -> None:
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])

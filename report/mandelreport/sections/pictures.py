@@ -226,7 +226,7 @@ def section(material: Material) -> dict[str, Any]:
         "flip": _flip(material, pictures),
         "random": random_errors(material.results.random)
         if material.results.random
-        else Missing("Fast pictures of random scenes", "bin/bench random --json report/results/random.json"),
+        else Missing("Fast pictures of random scenes", "bin/bench random --json results/random.json"),
         "devices": Table(
             ["backend", "device"], [list(entry) for entry in devices], "Devices that rendered the pictures of this section."
         ),
