@@ -153,7 +153,7 @@ lint: ## check the format of sources, licence lines, and links of pages (10 s)
 tidy: ## clang-tidy on every source (over 10 min)
 	@tools/lint tidy
 
-results-page: python ## write docs/results.md and the figures of README from results (3 s)
+results-page: python ## write docs/results.md and the figures of README from results/ (3 s)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.results_page
 
 RESULTS ?= results
