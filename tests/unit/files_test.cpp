@@ -1,21 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // An output file appears complete or not at all, even if it is written through a link or descriptor, or if a signal
-// ends the program. A command must not use one file for two purposes, even under different names.
+// ends the program. A read error is not the end of a file. A command must not use one file for two purposes, even under
+// different names.
 #include "core/base/output_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/ioctl.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <thread>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/input_file.h"
 
 namespace mandelmarch {
 namespace {
@@ -180,6 +192,193 @@ TEST_F(OutputFiles, AForkedProcessLeavesFilesOfItsParentAlone)
     end_of([this] { write(path("b"), "its own"); }, SIGTERM);
     file.commit();
     EXPECT_EQ(text_of(path("a")), "text");
+}
+
+// Makes system calls fail with these errors, in all threads of this process.
+void refuse(std::initializer_list<std::pair<unsigned, unsigned>> calls)
+{
+    std::vector<sock_filter> filter{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
+    for (const auto& [call, error] : calls) {
+        filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 1));
+        filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | error));
+    }
+    filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+    const sock_fprog all{static_cast<unsigned short>(filter.size()), filter.data()};
+    ASSERT_EQ(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), 0);
+    ASSERT_EQ(syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &all), 0);
+}
+
+// Returns the message of the Error that `body` throws in a process of its own; "" if it throws none.
+std::string error_in_child(const std::function<void()>& body)
+{
+    std::array<int, 2> said{};
+    EXPECT_EQ(pipe(said.data()), 0);
+    const pid_t pid = fork();
+    if (pid == 0) {
+        try {
+            body();
+        } catch (const std::exception& error) {
+            static_cast<void>(::write(said[1], error.what(), std::strlen(error.what())));
+        }
+        _exit(testing::Test::HasFailure() ? 1 : 0);
+    }
+    close(said[1]);
+    std::string text(1000, '\0');
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(said[0], text.data(), text.size()))));
+    close(said[0]);
+    int status = 0;
+    EXPECT_EQ(waitpid(pid, &status, 0), pid);
+    EXPECT_EQ(status, 0);
+    return text;
+}
+
+#ifdef SYS_rename
+constexpr unsigned rename_call = SYS_rename;
+#else
+constexpr unsigned rename_call = SYS_renameat;
+#endif
+
+TEST_F(OutputFiles, ARefusedChmodOrFlushLosesNothing)
+{
+    EXPECT_EQ(error_in_child([this] {
+                  refuse({{SYS_fchmod, EPERM}, {SYS_fsync, EINVAL}});
+                  write(path("a"), "text");
+              }),
+              "");
+    EXPECT_EQ(text_of(path("a")), "text");
+    const std::string error = error_in_child([this] {
+        refuse({{SYS_fsync, EIO}});
+        write(path("b"), "text");
+    });
+    EXPECT_NE(error.find("cannot write it"), std::string::npos) << error;
+    EXPECT_EQ(entries(folder), 1U);
+}
+
+TEST_F(OutputFiles, AFileThatCannotBeReplacedIsWrittenInPlace)
+{
+    const auto mounted = [this] {
+        refuse({{rename_call, EBUSY}});
+        write(path("a"), "text");
+    };
+    std::ofstream(path("a")) << "an older and longer text";
+    EXPECT_EQ(error_in_child(mounted), "");
+    EXPECT_EQ(text_of(path("a")), "text");
+    EXPECT_EQ(entries(folder), 1U);
+    fs::remove(path("a"));
+    const std::string error = error_in_child(mounted);
+    const std::size_t name = error.find(path(".mandelmarch-"));
+    ASSERT_NE(name, std::string::npos) << error;
+    EXPECT_EQ(text_of(error.substr(name)), "text");
+}
+
+TEST_F(OutputFiles, AnotherUsersFileInAStickyFolderIsSeenBeforehand)
+{
+    if (geteuid() != 0) GTEST_SKIP() << "only root can become another user";
+    fs::create_directory(path("sticky"));
+    ASSERT_EQ(chmod(folder.c_str(), 0755) | chmod(path("sticky").c_str(), 01777), 0);
+    std::ofstream(path("sticky/a")) << "text";
+    const auto check = [this] {
+        ASSERT_EQ(setuid(65534), 0);
+        OutputFile::check(path("sticky/new"));
+        OutputFile::check(path("sticky/a"));
+    };
+    EXPECT_NE(error_in_child(check).find("another user's"), std::string::npos);
+    chmod(path("sticky/a").c_str(), 0666);
+    EXPECT_EQ(error_in_child(check), "") << "a file that can be written";
+}
+
+TEST_F(OutputFiles, AReplacedFileDoesNotRunAsItsOwner)
+{
+    std::ofstream(path("a")) << "text";
+    ASSERT_EQ(chmod(path("a").c_str(), 06750), 0);
+    write(path("a"), "text");
+    EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms{0750});
+}
+
+TEST_F(OutputFiles, NamesOfTheProgramAreReplacedAndNotFollowed)
+{
+    std::ofstream(path("target")) << "text";
+    fs::create_symlink("target", path("a"));
+    ASSERT_EQ(mkfifo(path("b").c_str(), 0600), 0);
+    for (const char* name : {"a", "b"}) {
+        EXPECT_NO_THROW(OutputFile::check(path(name), NamedBy::program));
+        write_file(path(name), "new", NamedBy::program);
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path(name))));
+    }
+    EXPECT_EQ(text_of(path("target")), "text");
+}
+
+TEST_F(OutputFiles, ASignalRemovesATemporaryFolder)
+{
+    setenv("TMPDIR", folder.c_str(), 1);
+    const auto fill = [] {
+        auto* made = new TemporaryFolder;
+        fs::create_directories(made->path() / "a/b");
+        fs::create_directory_symlink("/", made->path() / "link");
+        std::ofstream(made->path() / "a/b/file") << "text";
+        fs::permissions(made->path() / "a", fs::perms::none);
+    };
+    end_of(fill, SIGTERM);
+    unsetenv("TMPDIR");
+    EXPECT_EQ(entries(folder), 0U);
+}
+
+class InputFiles : public OutputFiles {
+protected:
+    std::string refusal(const std::string& name, std::size_t most = largest_text) const
+    {
+        try {
+            text_of_file(name, "story", most);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+};
+
+TEST_F(InputFiles, AnErrorInTheMiddleIsNotTheEnd)
+{
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    const std::string error = error_in_child([this] {
+        std::string said;
+        std::thread reader([&] { said = refusal(path("pipe")); });
+        const int end = open(path("pipe").c_str(), O_WRONLY);
+        int unread = static_cast<int>(::write(end, "half", 4));
+        while (unread > 0) ioctl(end, FIONREAD, &unread);
+        refuse({{SYS_read, EIO}});
+        EXPECT_EQ(::write(end, "a", 1), 1);  // ends a call of read() in progress; the next one fails
+        close(end);
+        reader.join();
+        throw Error(said);
+    });
+    EXPECT_EQ(error, path("pipe") + ": Input/output error, expected a story");
+}
+
+TEST_F(InputFiles, OnlyTextOfAFewBytesIsText)
+{
+    const auto file = [&](std::string_view text) {
+        write(path("a"), std::string(text));
+        return path("a");
+    };
+    EXPECT_EQ(text_of_file(file("\xEF\xBB\xBFtext"), "story"), "text");
+    EXPECT_EQ(text_of_file(file(""), "story"), "");
+    EXPECT_EQ(refusal(file("12345"), 5), "");
+    EXPECT_EQ(refusal(file("123456"), 5), path("a") + ": it has more than 5 bytes, expected a story");
+    EXPECT_NE(refusal(file("\xFF\xFEt")).find("UTF-16"), std::string::npos);
+    EXPECT_NE(refusal("/dev/zero").find("NUL"), std::string::npos);
+    EXPECT_NE(refusal(folder).find("Is a directory"), std::string::npos);
+    EXPECT_NE(refusal(path("missing")).find("No such file"), std::string::npos);
+}
+
+TEST_F(InputFiles, TheProgramReadsOnlyRegularFilesOfItsOwn)
+{
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    for (const std::string& name : {path("pipe"), folder.string(), path("missing"), std::string("/dev/zero")}) {
+        EXPECT_FALSE(own_file(name)) << name;
+    }
+    write(path("a"), "text");
+    EXPECT_EQ(own_file(path("a")), "text");
+    EXPECT_FALSE(own_file(path("a"), 3));
 }
 
 class FileNames : public OutputFiles {
