@@ -75,12 +75,12 @@ std::string text_of_file(const std::string& path, std::string_view kind, std::si
     return text;
 }
 
-std::optional<std::string> own_file(const std::string& path, std::size_t most)
+std::optional<std::string> own_file(const std::string& path)
 {
     try {
         std::string content;
-        InputFile(path, "file of this program", NamedBy::program).append(content, most + 1);
-        return content.size() <= most ? std::optional(std::move(content)) : std::nullopt;
+        InputFile(path, "file of this program", NamedBy::program).append(content, largest_text + 1);
+        return content.size() <= largest_text ? std::optional(std::move(content)) : std::nullopt;
     } catch (const Error&) {
         return std::nullopt;
     }

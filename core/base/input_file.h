@@ -43,7 +43,7 @@ inline constexpr std::size_t largest_text = std::size_t{64} << 20;  // bytes
 std::string text_of_file(const std::string& path, std::string_view kind, std::size_t most = largest_text);
 
 // Returns the content of a file that the program itself wrote in an earlier run, or nullopt if something else is there:
-// no file, not a regular file, one that cannot be read, or one of more than `most` bytes.
-std::optional<std::string> own_file(const std::string& path, std::size_t most = largest_text);
+// no file, not a regular file, one that cannot be read, or one of more than `largest_text` bytes.
+std::optional<std::string> own_file(const std::string& path);
 
 }  // namespace mandelmarch

@@ -43,23 +43,19 @@ bool writable(int descriptor)
     return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
 }
 
-// Returns the status of a file, without following links; nullopt if it does not exist or cannot be examined.
-std::optional<struct statx> entry_at(const std::string& path)
+// Returns true if there is a file that can be neither replaced by renaming another to it nor written. A file cannot be
+// replaced if it is mounted or immutable, or if it is another user's in a folder with the sticky bit, such as /tmp.
+bool is_fixed(const std::string& file, const std::string& folder)
 {
-    struct statx status {};
-    constexpr unsigned asked = STATX_TYPE | STATX_MODE | STATX_UID;
-    if (statx(AT_FDCWD, path.c_str(), AT_SYMLINK_NOFOLLOW, asked, &status) != 0) return std::nullopt;
-    return status;
-}
-
-// Returns true if a file cannot be replaced by renaming another to it: if it is mounted or immutable, or if it belongs
-// to another user in a folder with the sticky bit, such as /tmp.
-bool stays(const struct statx& file, const std::string& folder)
-{
-    if ((file.stx_attributes & (STATX_ATTR_MOUNT_ROOT | STATX_ATTR_IMMUTABLE)) != 0) return true;
-    const auto around = entry_at(folder + "/.");
+    struct statx found {};
+    struct stat around {};
+    constexpr unsigned asked = STATX_TYPE | STATX_UID;
+    if (statx(AT_FDCWD, file.c_str(), AT_SYMLINK_NOFOLLOW, asked, &found) != 0) return false;
     const uid_t user = geteuid();
-    return user != 0 && around && (around->stx_mode & S_ISVTX) != 0 && file.stx_uid != user && around->stx_uid != user;
+    const bool sticky = user != 0 && stat(folder.c_str(), &around) == 0 && (around.st_mode & S_ISVTX) != 0 &&
+                        found.stx_uid != user && around.st_uid != user;
+    const bool stays = sticky || (found.stx_attributes & (STATX_ATTR_MOUNT_ROOT | STATX_ATTR_IMMUTABLE)) != 0;
+    return stays && (!S_ISREG(found.stx_mode) || access(file.c_str(), W_OK) != 0);
 }
 
 }  // namespace
@@ -94,10 +90,7 @@ void OutputFile::check(const std::string& path, NamedBy named)
     if (!fs::is_directory(folder, ignored)) refuse("the folder " + folder + " is missing");
     if (access(folder.c_str(), W_OK | X_OK) != 0) refuse(fmt::format("folder {}: {}", folder, std::strerror(errno)));
     if (fs::path(target).filename().string().size() > NAME_MAX) refuse("the name is too long");
-    const auto old = entry_at(target);
-    if (old && stays(*old, folder) && (!S_ISREG(old->stx_mode) || access(target.c_str(), W_OK) != 0)) {
-        refuse("it is another user's, or mounted, and can be neither replaced nor written");
-    }
+    if (is_fixed(target, folder)) refuse("it is another user's, or mounted, and can be neither replaced nor written");
 }
 
 OutputFile::OutputFile(const std::string& path, NamedBy named) : path_(path), named_(named)

@@ -41,12 +41,10 @@ std::array<Name, 64> names;  // NOLINT: see above
 void remove_tree(int parent, const char* name)  // NOLINT(misc-no-recursion): as deep as the folders
 {
     if (unlinkat(parent, name, 0) == 0 || (errno != EISDIR && errno != EPERM)) return;
-    const auto open_folder = [&] { return openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC); };
-    int folder = open_folder();
-    // Other programs may have removed the owner's rights. The entry is no link, as unlinkat() would have removed that.
-    if (folder < 0 && errno == EACCES && fchmodat(parent, name, S_IRWXU, 0) == 0) folder = open_folder();
+    // It is a folder. Other programs may have removed its owner's rights.
+    fchmodat(parent, name, S_IRWXU, 0);
+    const int folder = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (folder < 0) return;
-    fchmod(folder, S_IRWXU);
     alignas(dirent64) std::array<char, 2048> entries;
     for (long size = 1; size > 0;) {
         size = syscall(SYS_getdents64, folder, entries.data(), entries.size());  // readdir() allocates memory

@@ -35,7 +35,7 @@ bool still_there(int descriptor, const std::string& name)
            held.st_ino == named.st_ino;
 }
 
-// Creates a folder if it does not exist. A link in its place is refused: the films's own names must not lead elsewhere.
+// Creates a folder if it does not exist. A link in its place is refused: it could lead to another user's files.
 void make_folder(const std::string& folder)
 {
     std::error_code error;

@@ -152,8 +152,7 @@ Image decode_bmp(std::span<const std::byte> data, const std::string& name)
     if (pixels.start < header_size || pixels.start > data.size() || (data.size() - pixels.start) / stride < rows) {
         refuse("the file ends in its pixels");
     }
-    // The header has the size of the whole file, which may have a colour profile behind the pixels. Some programs write
-    // 0.
+    // The header has the size of the file, which may have a colour profile behind its pixels. Some programs write 0.
     const std::size_t end = std::max<std::size_t>(get(data, 2, 4), pixels.start + stride * rows);
     if (end < data.size()) refuse(fmt::format("{} bytes follow the picture", data.size() - end));
     Image image(pixels.width, pixels.height, Image::Layers::bytes);
