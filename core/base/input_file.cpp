@@ -51,6 +51,7 @@ void InputFile::append(std::string& data, std::size_t size)
             if (got == 0) return data.resize(at);
             at += static_cast<std::size_t>(got);
         }
+        step_ = std::max(step_, data.size());  // the size of a pipe is unknown
     }
 }
 
