@@ -12,8 +12,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
+#include "core/base/console.h"
 #include "core/base/error.h"
 
 namespace mandelmarch {
@@ -55,12 +55,13 @@ TemporaryFolder::TemporaryFolder()
     std::string name = (fs::temp_directory_path() / "mandelmarch-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
     path_ = name;
+    removed_.emplace(name);
 }
 
 TemporaryFolder::~TemporaryFolder()
 {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
+    removed_.reset();
+    if (std::error_code none; fs::exists(path_, none)) say("{}: the folder cannot be removed\n", path_.string());
 }
 
 std::string folder_of(const std::string& path)

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/temporary_path.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
@@ -14,6 +17,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <random>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -32,11 +36,34 @@ struct Name {
 // name, its file remains after a signal.
 std::array<Name, 64> names;  // NOLINT: see above
 
+// Removes a file, or a folder with its contents, as far as possible. `parent`: the descriptor of the folder that `name`
+// starts from. A signal handler may call this function.
+void remove_tree(int parent, const char* name)  // NOLINT(misc-no-recursion): as deep as the folders
+{
+    if (unlinkat(parent, name, 0) == 0 || (errno != EISDIR && errno != EPERM)) return;
+    // It is a folder. Other programs may have removed its owner's rights.
+    fchmodat(parent, name, S_IRWXU, 0);
+    const int folder = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (folder < 0) return;
+    alignas(dirent64) std::array<char, 2048> entries;
+    for (long size = 1; size > 0;) {
+        size = syscall(SYS_getdents64, folder, entries.data(), entries.size());  // readdir() allocates memory
+        for (long at = 0; at < size;) {
+            const auto* const entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+            const char* const inner = static_cast<const char*>(entry->d_name);
+            if (std::strcmp(inner, ".") != 0 && std::strcmp(inner, "..") != 0) remove_tree(folder, inner);
+            at += entry->d_reclen;
+        }
+    }
+    close(folder);
+    unlinkat(parent, name, AT_REMOVEDIR);
+}
+
 // The signal handler. Removes the files, then raises the signal again with its default action.
 void remove_files(int signal)
 {
     for (const Name& name : names) {
-        if (name.owner == getpid()) unlink(name.path.data());
+        if (name.owner == getpid()) remove_tree(AT_FDCWD, name.path.data());
     }
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
@@ -96,16 +123,21 @@ TemporaryPath::TemporaryPath(const std::string& prefix, int& descriptor) : owner
 TemporaryPath::~TemporaryPath()
 {
     if (path_.empty() || owner_ != getpid()) return;
-    unlink(path_.c_str());
+    remove_tree(AT_FDCWD, path_.c_str());
     free_slot(slot_);
 }
 
 bool TemporaryPath::rename_to(const std::string& target)
 {
     if (std::rename(path_.c_str(), target.c_str()) != 0) return false;
-    free_slot(slot_);
-    path_.clear();
+    keep();
     return true;
+}
+
+void TemporaryPath::keep()
+{
+    free_slot(std::exchange(slot_, names.size()));
+    path_.clear();
 }
 
 }  // namespace mandelmarch

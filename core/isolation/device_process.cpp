@@ -36,8 +36,10 @@ Descriptor opened_log()
 {
     const std::string path = environment_variable(log_variable);
     if (path.empty()) return {};
-    Descriptor log(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
+    // A pipe that nobody reads is an error, and does not make the program wait.
+    Descriptor log(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666));
     if (log.number() < 0) throw InputError(fmt::format("{}: {}: {}", log_variable.text, path, std::strerror(errno)));
+    fcntl(log.number(), F_SETFL, O_APPEND);
     return log;
 }
 

@@ -67,6 +67,35 @@ test_outputs() {
     says TMPDIR
 }
 
+# Links and pipes that lie at names that flythrough chooses are neither followed nor waited for.
+test_planted_files() {
+    echo precious >precious
+    cp precious kept
+    run 0 render path.json $small --output v.mp4 --segments 0-0 --title a
+    for name in list.txt title-0.txt; do (cd v.mp4.parts/*/ && ln -s ../../precious $name); done
+    mkdir v.mp4.parts/other
+    mkfifo v.mp4.parts/other/manifest.json
+    ln -s precious v.mp4.made
+    run 0 render path.json $small --output v.mp4 --title a
+    [ -L v.mp4.made ] && fail "the link at the stamp stays"
+    rm -r v.mp4.made v.mp4.parts
+    mkfifo v.mp4.made
+    run 0 render path.json $small --output v.mp4 --title a
+    [ -f v.mp4.made ] || fail "the pipe at the stamp stays"
+    mkdir stills other
+    ln -s ../precious stills/frame-000000.png
+    run 0 render path.json $small --stills stills --every 40
+    same_file precious kept
+    ln -s other w.mp4.parts
+    : >other/lock
+    run 1 render path.json $small --output w.mp4
+    says 'w.mp4.parts: it is a link'
+    [ -e other/lock ] || fail "a file behind a link is removed"
+    mkfifo font
+    MANDELMARCH_FONT=$PWD/font run 1 render path.json $small --output v.mp4 --title b
+    says 'font: not a font file'
+}
+
 # If stderr cannot be written, flythrough still makes the film and its summary.
 test_streams_that_fail() {
     whole

@@ -204,9 +204,9 @@ test_arguments() {
 # super-sampling. unit/parameter_file_test.cpp tests other faults.
 test_parameter_files() {
     expect 2 "$bin/mandelbulb" missing.dat
-    says '^missing.dat:1: .*expected'
+    says '^missing.dat: No such file .*expected'
     expect 2 "$bin/mandelbulb" .
-    says '^\.:1: .*directory'
+    says '^\.: Is a directory'
     head -c 9000000 /dev/zero >zeros.dat
     expect 2 "$bin/mandelbulb" zeros.dat
     says '^zeros.dat:'
@@ -298,6 +298,11 @@ test_signals() {
 test_full_disk() {
     expect 1 bulb --output /dev/full
     says 'No space left'
+    # A picture is never there without the statistics of its run.
+    expect 1 bulb --output /dev/full --stats first.json
+    [ -s first.json ] || fail "the statistics come after the picture"
+    expect 1 bulb --output last.bmp --stats /dev/full
+    [ -s last.bmp ] || fail "a picture is lost, because its statistics cannot be written"
     expect 0 bulb --output a.bmp
     cp a.bmp kept.bmp
     expect 1 bash -c "ulimit -f 8; exec '$bin/mandelbulb' paramsBulb.dat --size 200x200 --backend openmp --output kept.bmp"
