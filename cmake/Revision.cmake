@@ -4,7 +4,8 @@
 # Result files (results/) are ignored, so that measurements, which write them, do not mark the sources as changed.
 set(revision unknown)
 set(dirty true)
-# The option allows sources that belong to another user, as in shared folders of clusters.
+# The option allows sources that belong to another user, as in shared folders of clusters. Git compares real paths.
+file(REAL_PATH ${SOURCE} SOURCE)
 set(git git -c safe.directory=${SOURCE} -C ${SOURCE})
 # Sources that belong to no repository can be inside another one.
 execute_process(COMMAND ${git} ls-files OUTPUT_VARIABLE own ERROR_QUIET)

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from .bench import Bench
-from .errors import InputError
+from .errors import InputError, reading
 
 
 class Files:
@@ -32,10 +32,9 @@ class Files:
         """Returns the content of the file `name`.json."""
         file = f"{name}.json"
         if file not in self.read:
-            try:
-                self.read[file] = json.loads(self._bytes(file))
-            except ValueError as error:
-                raise InputError(f"{file}: not JSON: {error}") from None
+            data = self._bytes(file)
+            with reading(file, "JSON"):
+                self.read[file] = json.loads(data)
         return self.read[file]
 
     def bench(self, name: str) -> Bench:

@@ -29,6 +29,9 @@ git checkout -q bench
 if [ "$(id -u)" = 0 ]; then
     chown -R 1 .git
     GIT_CEILING_DIRECTORIES=$work dirty "$1" "$2" false "sources of another user"
+    ln -s . link
+    sources=$work/link dirty "$1" "$2" false "sources of another user, through a link"
+    rm link
     chown -R 0 .git
 fi
 mkdir inner
