@@ -9,7 +9,6 @@
 
 #include "backends/all.h"
 #include "core/image/compare.h"
-#include "core/render/agreement.h"
 #include "core/scene/extreme_scene.h"
 #include "core/scene/fractal.h"
 #include "flight/field/field.h"
