@@ -121,7 +121,7 @@ Case missing(const Backend& backend, Listing listing)
     return made;
 }
 
-// Returns a function that tests whether the filter selects a name. The filter has Google Benchmark's syntax.
+// Returns a function that tests whether the filter selects a name.
 std::function<bool(const std::string& name)> selection(const std::string& filter)
 {
     if (filter.empty() || filter == "all") return [](const std::string&) { return true; };

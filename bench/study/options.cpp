@@ -77,7 +77,7 @@ void add_selection(CLI::App& app, const Registry& registry, Options& options)
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
            "what to vary: " + joined(studies(), ", ", &Study::name))
         ->default_str(std::string(options.study->name));
-    app.add_option("--filter,--benchmark_filter", options.filter,
+    app.add_option("--filter", options.filter,
                    "regular expression: measure only configurations whose names contain a match; with - in front, only "
                    "the others");
 }
@@ -96,7 +96,7 @@ std::vector<std::string> words_of(const Options& o)
         words.insert(words.end(), {"--mode", all_or(o.modes.size() > 1, std::string(name_of(o.modes.front())))});
     }
     if (o.size) words.insert(words.end(), {"--size", fmt::format("{}x{}", o.size->first, o.size->second)});
-    if (!o.filter.empty()) words.push_back("--benchmark_filter=" + o.filter);
+    if (!o.filter.empty()) words.push_back("--filter=" + o.filter);
     return words;
 }
 

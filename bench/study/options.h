@@ -22,7 +22,7 @@ struct Options {
     std::vector<Precision> precisions{Precision::f64, Precision::f32};
     std::vector<Mode> modes;                  // empty: the modes of the study
     std::optional<std::pair<int, int>> size;  // pixels; nullopt: the size of the study
-    std::string filter;  // regular expression searched in names; a leading - inverts it (as in Google Benchmark)
+    std::string filter;                       // regular expression searched in names; a leading - inverts it
 
     std::optional<int> repetitions;  // exact number of rounds; nullopt: as many as needed (bench/harness/runner.h)
     int runs = 1;                    // number of runs

@@ -238,7 +238,6 @@ def everything() -> dict[str, Any]:
         "bench.json": with_scalar(),
         "threads.json": sweep("threads", "threads", ["1", "2", "4"]),
         "ladder.json": sweep("ladder", "rung", ["reference", "text", "float"]),
-        "profile.json": bench("profile"),
         "ablation.json": sweep("ablation", "without", ["none", "hull"]),
         "box-vs-bulb.json": bench("box-vs-bulb"),
         "random.json": random_scenes(),
