@@ -170,7 +170,7 @@ TEST(ResultFile, IsReadAsItWasWritten)
 TEST(ResultFile, AnOldResultIsUpgraded)
 {
     const Result read = parse_result(R"({"schema": "mandelmarch-bench", "version": 1, "study": "packs", "seed": 1,
-        "launches": 1, "environment": {}, "warnings": [], "peaks": [], "stages": [],
+        "launches": 1, "environment": {}, "warnings": [], "peaks": [],
         "counts": [{"fractal": "mandelbox", "precision": "float", "mode": "fast", "setting": {"width": 9, "height": 9,
             "iterations": 18, "detail": -3, "power": 1, "view": "official", "without": "root", "threads": 0, "pack": 0,
             "chunk": 0, "frames": 0}, "pixels": 81, "hits": 9, "work": {"steps": 9, "de_calls": 9, "iterations": 9},
