@@ -25,18 +25,23 @@ constexpr pid_t in_change = -1;
 
 struct Name {
     std::atomic<pid_t> owner = nobody;  // the process that removes the file; a process forked from it must not
+    pid_t group;                        // a process group to kill; 0: the name is a file's
     std::array<char, PATH_MAX> path;
 };
 
 // The names in use. They are global, because a signal handler has no other access to them. If no slot is free for a
-// name, its file remains after a signal.
+// name, its file or process group remains after a signal.
 std::array<Name, 64> names;  // NOLINT: see above
 
-// The signal handler. Removes the files, then raises the signal again with its default action.
+// The signal handler. Kills the process groups, removes the files, then raises the signal again with its default
+// action.
 void remove_files(int signal)
 {
     for (const Name& name : names) {
-        if (name.owner == getpid()) unlink(name.path.data());
+        if (name.owner == getpid() && name.group != 0) kill(-name.group, SIGKILL);
+    }
+    for (const Name& name : names) {
+        if (name.owner == getpid() && name.group == 0) unlink(name.path.data());
     }
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
@@ -44,7 +49,7 @@ void remove_files(int signal)
     raise(signal);
 }
 
-bool install()
+void install()
 {
     struct sigaction action {};
     action.sa_handler = remove_files;
@@ -54,19 +59,18 @@ bool install()
         sigaction(signal, nullptr, &old);
         if ((old.sa_flags & SA_SIGINFO) == 0 && old.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
     }
-    return true;
 }
 
 // Returns the name's slot; names.size() if none is free or the path is too long.
-std::size_t add(const std::string& path)
+std::size_t add(const std::string& path, pid_t group = 0)
 {
-    static const bool installed = install();
-    static_cast<void>(installed);
+    install();  // each time, because a library may have restored the default action
     for (std::size_t slot = 0; slot < names.size() && path.size() < PATH_MAX; ++slot) {
         Name& name = names.at(slot);
         pid_t owner = nobody;
         if (!name.owner.compare_exchange_strong(owner, in_change)) continue;
         std::memcpy(name.path.data(), path.c_str(), path.size() + 1);
+        name.group = group;
         name.owner = getpid();
         return slot;
     }
@@ -107,5 +111,9 @@ bool TemporaryPath::rename_to(const std::string& target)
     path_.clear();
     return true;
 }
+
+KilledGroup::KilledGroup(pid_t group) : slot_(add({}, group)) {}
+
+KilledGroup::~KilledGroup() { free_slot(slot_); }
 
 }  // namespace mandelmarch
