@@ -14,6 +14,7 @@
 #include <fstream>
 
 #include "core/base/console.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 
 namespace mandelmarch {
@@ -105,7 +106,9 @@ void refuse_shared_files(const std::vector<NamedFile>& written, const std::vecto
         if (const auto status = status_of(a.path); status && S_ISCHR(status->st_mode)) return;
         throw InputError(fmt::format("{}: {} and {} are the same file, expected two files", a.path, a.name, b.name));
     };
+    constexpr VariableName log = "MANDELMARCH_DRIVER_LOG";
     for (std::size_t i = 0; i < written.size(); ++i) {
+        compare(written[i], {log.text, environment_variable(log)});
         for (std::size_t other = i + 1; other < written.size(); ++other) compare(written[i], written[other]);
         for (const NamedFile& file : read) compare(written[i], file);
     }

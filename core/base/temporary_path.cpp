@@ -29,11 +29,12 @@ constexpr pid_t in_change = -1;
 
 struct Name {
     std::atomic<pid_t> owner = nobody;  // the process that removes the file; a process forked from it must not
+    pid_t group;                        // a process group to kill; 0: the name is a file's
     std::array<char, PATH_MAX> path;
 };
 
 // The names in use. They are global, because a signal handler has no other access to them. If no slot is free for a
-// name, its file remains after a signal.
+// name, its file or process group remains after a signal.
 std::array<Name, 64> names;  // NOLINT: see above
 
 // Removes a file, or a folder with its contents, as far as possible. `parent`: the descriptor of the folder that `name`
@@ -59,11 +60,15 @@ void remove_tree(int parent, const char* name)  // NOLINT(misc-no-recursion): as
     unlinkat(parent, name, AT_REMOVEDIR);
 }
 
-// The signal handler. Removes the files, then raises the signal again with its default action.
+// The signal handler. Kills the process groups, removes the files, then raises the signal again with its default
+// action.
 void remove_files(int signal)
 {
     for (const Name& name : names) {
-        if (name.owner == getpid()) remove_tree(AT_FDCWD, name.path.data());
+        if (name.owner == getpid() && name.group != 0) kill(-name.group, SIGKILL);
+    }
+    for (const Name& name : names) {
+        if (name.owner == getpid() && name.group == 0) remove_tree(AT_FDCWD, name.path.data());
     }
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
@@ -71,7 +76,7 @@ void remove_files(int signal)
     raise(signal);
 }
 
-bool install()
+void install()
 {
     struct sigaction action {};
     action.sa_handler = remove_files;
@@ -81,19 +86,18 @@ bool install()
         sigaction(signal, nullptr, &old);
         if ((old.sa_flags & SA_SIGINFO) == 0 && old.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
     }
-    return true;
 }
 
 // Returns the name's slot; names.size() if none is free or the path is too long.
-std::size_t add(const std::string& path)
+std::size_t add(const std::string& path, pid_t group = 0)
 {
-    static const bool installed = install();
-    static_cast<void>(installed);
+    install();  // each time, because a library may have restored the default action
     for (std::size_t slot = 0; slot < names.size() && path.size() < PATH_MAX; ++slot) {
         Name& name = names.at(slot);
         pid_t owner = nobody;
         if (!name.owner.compare_exchange_strong(owner, in_change)) continue;
         std::memcpy(name.path.data(), path.c_str(), path.size() + 1);
+        name.group = group;
         name.owner = getpid();
         return slot;
     }
@@ -139,5 +143,9 @@ void TemporaryPath::keep()
     free_slot(std::exchange(slot_, names.size()));
     path_.clear();
 }
+
+KilledGroup::KilledGroup(pid_t group) : slot_(add({}, group)) {}
+
+KilledGroup::~KilledGroup() { free_slot(slot_); }
 
 }  // namespace mandelmarch

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Temporary files and folders that are removed when the process ends.
+// Temporary files and folders that are removed when the process ends, and child processes that are killed when a signal
+// ends it.
 #pragma once
 
 #include <sys/types.h>
@@ -36,6 +37,18 @@ private:
     std::string path_;  // empty after renaming or keeping
     pid_t owner_;       // the process that removes the file; a process forked from it must not
     std::size_t slot_;  // index of the path in the signal handler's list
+};
+
+// A process group of children. The signals that remove a TemporaryPath also kill the group, before they remove files.
+class KilledGroup {
+public:
+    explicit KilledGroup(pid_t group);
+    ~KilledGroup();
+    KilledGroup(const KilledGroup&) = delete;
+    KilledGroup& operator=(const KilledGroup&) = delete;
+
+private:
+    std::size_t slot_;
 };
 
 }  // namespace mandelmarch

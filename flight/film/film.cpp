@@ -63,7 +63,7 @@ public:
           ranks_(ranks),
           work_(work),
           frames_(chosen_frames(options.frames, path.frames.size())),
-          coding_{container_of(options.output), path.frames_per_second}
+          coding_{options.output, container_of(options.output), path.frames_per_second}
     {
     }
 
@@ -133,7 +133,7 @@ public:
             pieces[0] = ".part-tagged.mp4";
             add({"-strict", "unofficial"});
         }
-        add({"-fflags", "+bitexact", "-progress", "pipe:1", "-stats_period", "3600"});
+        add({"-fflags", "+bitexact", "-progress", "pipe:1"});
         write_file(work_.folder() + "/list.txt", fmt::format("file '{}'\n", fmt::join(pieces, "'\nfile '")),
                    NamedBy::program);
         const auto join_to = [&](const std::string& part) {
@@ -180,7 +180,7 @@ private:
         const TemporaryPath temporary(work_.folder() + "/" + part);
         write(part);
         if (!is_whole(temporary.path(), container)) {
-            throw Error(fmt::format("{}: ffmpeg left an incomplete file, is the disk full?", temporary.path()));
+            throw Error(fmt::format("{}: ffmpeg left an incomplete file, is the disk full?", options_.output));
         }
         take(part);
     }

@@ -40,7 +40,7 @@ void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& 
                     "-pix_fmt yuvj444p -fflags +bitexact -flags:v +bitexact -f image2pipe -",
                     picture.width, picture.height));
     command.insert(command.begin(), ffmpeg());
-    FfmpegProcess process(command, "", ffmpeg_timeout(encoding_seconds));
+    FfmpegProcess process(command, "");
     process.write(rgb.data(), rgb.size());
     const auto result = process.finish();
     if (!result.cause.empty()) throw Error(fmt::format("{}: cannot be written: {}", file, result.cause));

@@ -60,6 +60,8 @@ int end_of(const std::function<void()>& child, int signal)
     EXPECT_EQ(pipe(ready.data()), 0);
     const pid_t pid = fork();
     if (pid == 0) {
+        // A driver that an earlier test has opened may have set handlers.
+        for (const int one : {SIGINT, SIGTERM, SIGHUP}) std::signal(one, SIG_DFL);
         child();
         static_cast<void>(::write(ready[1], "x", 1));
         sleep(20);
