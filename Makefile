@@ -139,7 +139,7 @@ kill-test: flythrough ## check that a film killed at twenty random moments resum
 	@bash tests/cases.sh tests/flight/plans_test.sh killed $(CURDIR)/bin $(CURDIR) 20
 
 SECONDS ?= 600
-fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
+fuzz: ## run each fuzzer of the file readers for SECONDS=600 (50 min on two cores)
 	@tools/build asan fuzzers render
 	@printf '%s\n' $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp)) | xargs -P "$$(nproc)" -n 1 \
 	    bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS)
@@ -153,7 +153,7 @@ lint: ## check the format of sources, licence lines, and links of pages (10 s)
 tidy: ## clang-tidy on every source (over 10 min)
 	@tools/lint tidy
 
-results-page: python ## write docs/results.md and the figures of README from results (3 s)
+results-page: python ## write docs/results.md and the figures of README from results/ (3 s)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.results_page
 
 RESULTS ?= results

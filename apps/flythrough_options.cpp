@@ -13,6 +13,7 @@
 #include "apps/scene_options.h"
 #include "core/base/environment.h"
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/number.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"

@@ -321,8 +321,17 @@ int render_program(const Registry& registry, const char* program, const char* fr
     const std::vector<std::string> words = words_of(survey, scene, one_colour);
     for (const std::string& word : words) say("{}: {}\n", program, word);
     if (report.unsettled > 0 && words.empty()) warn_unsettled(program, report.unsettled, options.renderer.precision);
-    write_image(output, format, options.samples > 1 ? averaged(image, options.samples) : image);
-    if (!options.stats.empty()) write_stats(options.stats, scene, report, survey, words);
+    const auto write_picture = [&, image = &image] {
+        write_image(output, format, options.samples > 1 ? averaged(*image, options.samples) : *image);
+    };
+    try {
+        // The statistics come first, so that after a kill no picture is there without them.
+        if (!options.stats.empty()) write_stats(options.stats, scene, report, survey, words);
+    } catch (const Error&) {
+        write_picture();
+        throw;
+    }
+    write_picture();
     return exit_success;
 }
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """gpu_results.py RESULTS.tgz INTO: unpacks the results of packaging/gpu_check into INTO/DEVICE and writes a summary
 page, README.md: backends with the same bits, kernel times, and the last output lines of failed steps. bench's JSON
-files stay beside it; all other files are packed into logs.tar.xz."""
+files are beside it; all other files are packed into logs.tar.xz."""
 import argparse
 import gzip
 import io
@@ -10,7 +10,6 @@ import json
 import math
 import os
 import re
-import shutil
 import sys
 import tarfile
 import tempfile
@@ -29,18 +28,9 @@ LONGEST_PATH = 200  # bytes
 LONGEST_NAME = 60  # characters of a device's name, at most four bytes each
 
 
-def text_of(*path):
-    """Returns a text file's content without escape codes, empty if there is no file."""
-    file = Path(*path)
-    if not file.exists():
-        return ""
-    with reading(file.name, EXPECTED):
-        return "\n".join(map(one_line, file.read_text(encoding="utf-8", errors="replace").splitlines()))
-
-
 def files_of(archive):
-    """Returns the contents of the archive's files by their names. Python before 3.12 cannot refuse links, devices and
-    files elsewhere itself."""
+    """Returns the contents of the files in the archive's folder of results, by their names in it. Python before 3.12
+    cannot refuse links, devices and files elsewhere itself."""
     files, size = {}, 0
     try:
         with reading(archive, EXPECTED):
@@ -53,37 +43,34 @@ def files_of(archive):
                         raise ValueError(f"over {MOST_FILES} files or {MOST_BYTES} bytes")
                     if os.path.isabs(name) or name.startswith("..") or not (member.isdir() or member.isreg()):
                         raise ValueError(f"{name} is a link, a device or elsewhere")
-                    if member.isreg():
-                        files[name] = tar.extractfile(member).read()
-                        if len(os.fsencode(name)) > LONGEST_PATH or any(str(folder) in files for folder in Path(name).parents):
-                            raise ValueError(f"{name[:LONGEST_PATH]} is too long or in a file")
-            if "results/summary.txt" not in files:
+                    if len(os.fsencode(name)) > LONGEST_PATH:
+                        raise ValueError(f"the name {name[:LONGEST_PATH]}... is too long")
+                    if member.isreg() and name.startswith("results/"):
+                        files[name.removeprefix("results/")] = tar.extractfile(member).read()
+            if "summary.txt" not in files:
                 raise ValueError("results/summary.txt is missing")
     except (zlib.error, tarfile.TarError) as error:
         raise InputError(f"{archive}: {error}, expected {EXPECTED}") from error
     return files
 
 
-def unpack(archive, into):
-    """Writes the archive's folder of results, without a page, into `into`. Returns the folder."""
-    for name, data in files_of(archive).items():
-        if Path(name).parts[:2] != ("results", "README.md"):
-            write_whole(Path(into, name), data)
-    return Path(into, "results")
+def text_of(files, name):
+    """Returns the lines of a file without escape codes, empty if there is no file."""
+    return "\n".join(map(one_line, files.get(name, b"").decode("utf-8", "replace").splitlines()))
 
 
-def steps_of(folder):
+def steps_of(files):
     """Returns, by step, its result, its seconds and its last output line."""
-    return {found[1]: (found[2], int(found[3]), found[4]) for found in map(STEP.match, text_of(folder, "summary.txt").splitlines())
+    return {found[1]: (found[2], int(found[3]), found[4]) for found in map(STEP.match, text_of(files, "summary.txt").splitlines())
             if found}
 
 
-def rows_of(folder):
+def rows_of(files):
     """Yields the picture, the backend, the kernel milliseconds, the number of pictures and the size of each timed and
     verified configuration in bench's results of the steps t-*."""
-    for path in sorted(folder.glob("t-*.json")):
-        with reading(path.name, EXPECTED):
-            for row in json.loads(path.read_bytes())["rows"]:
+    for name in sorted(name for name in files if re.fullmatch(r"t-[^/]*\.json", name)):
+        with reading(name, EXPECTED):
+            for row in json.loads(files[name])["rows"]:
                 if not row["figures"] or not row["verification"]["passed"]:
                     continue
                 milliseconds = 1000 * float(row["figures"]["kernel_seconds"]["median"])
@@ -94,11 +81,11 @@ def rows_of(folder):
                 yield kind, str(row["backend"]), milliseconds, len(row["samples"]), size
 
 
-def times(folder):
+def times(files):
     """Returns words for the number of pictures and their size, empty if there are none, and a table: the kernel
     milliseconds of each backend, for each fractal, precision and mode."""
     sizes, counts, cells = set(), set(), {}
-    for kind, backend, milliseconds, count, size in rows_of(folder):
+    for kind, backend, milliseconds, count, size in rows_of(files):
         cells.setdefault(kind, {})[backend] = f"{milliseconds:.4g}"
         counts.add(count)
         sizes.add(size)
@@ -108,12 +95,12 @@ def times(folder):
     return f"{' or '.join(map(str, sorted(counts)))} pictures of {', '.join(sorted(sizes))}" if cells else "", table
 
 
-def page(folder, device, steps):
+def page(files, device, steps):
     summary = [f"# {device}", ""]
-    if text_of(folder, "rehearsal"):
+    if text_of(files, "rehearsal"):
         summary += ["**A rehearsal: these results are not from a GPU.**", ""]
-    driver = re.search(r"Driver Version\s*:\s*(\S+)", text_of(folder, "nvidia-smi.txt"))
-    programs = re.search(r"^render .*$", text_of(folder, "facts.log"), re.M)
+    driver = re.search(r"Driver Version\s*:\s*(\S+)", text_of(files, "nvidia-smi.txt"))
+    programs = re.search(r"^render .*$", text_of(files, "facts.log"), re.M)
     passed = sum(result == "passed" for result, _, _ in steps.values())
     summary.append(f"{passed} of {len(steps)} steps passed in {sum(seconds for _, seconds, _ in steps.values())} s; driver "
                    f"{driver[1] if driver else 'unknown'}; {programs[0] if programs else 'unknown programs'}.")
@@ -121,7 +108,7 @@ def page(folder, device, steps):
     same = [name for name in tried if steps[name][0] == "passed"]
     summary += ["", f"- Same bits as the host: {', '.join(same) or 'no backend'}."]
     summary += [f"- {name}: {steps[name][2] or steps[name][0]}." for name in tried if name not in same]
-    pictures, table = times(folder)
+    pictures, table = times(files)
     if pictures:
         summary += ["", f"Median kernel times in ms of {pictures}:", "", *table]
     broken = [(name, *step) for name, step in steps.items() if step[0] in ("failed", "late") and name not in BACKENDS]
@@ -132,13 +119,13 @@ def page(folder, device, steps):
     return "\n".join(summary) + "\n"
 
 
-def device_of(folder):
+def device_of(files):
     """Returns the GPU's name as nvidia-smi reports it or, if that is missing, as a backend reports it."""
-    if found := re.search(r"Product Name\s*:\s*(.+)", text_of(folder, "nvidia-smi.txt")):
+    if found := re.search(r"Product Name\s*:\s*(.+)", text_of(files, "nvidia-smi.txt")):
         return found[1].strip()
-    for path in sorted(folder.glob("seen-*.json")):
-        with reading(path.name, EXPECTED):
-            return one_line(json.loads(path.read_bytes())["device"]["name"])
+    for name in sorted(name for name in files if re.fullmatch(r"seen-[^/]*\.json", name)):
+        with reading(name, EXPECTED):
+            return one_line(json.loads(files[name])["device"]["name"])
     return "no GPU"
 
 
@@ -151,15 +138,6 @@ def free_folder(into, name):
     raise InputError(f"{into}: already has 999 results of {name}")
 
 
-def pack_logs(folder):
-    """Packs all files into logs.tar.xz and removes them, except the page and bench's results."""
-    with tarfile.open(folder / "logs.tar.xz", "w:xz") as tar:
-        for path in sorted(set(folder.iterdir()) - {folder / "README.md", folder / "logs.tar.xz"}):
-            if path.name.startswith("seen-") or path.suffix != ".json":
-                tar.add(path, path.name)
-                (shutil.rmtree if path.is_dir() else os.remove)(path)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results")
@@ -167,15 +145,23 @@ def main():
     arguments = parser.parse_args()
     if not os.path.isdir(arguments.into):
         raise InputError(f"{arguments.into}: no such folder")
-    # Unpacks into a temporary folder and renames it, so that the new folder appears complete or not at all.
+    files = files_of(arguments.results)
+    device = device_of(files)
+    text = page(files, device, steps_of(files))
+    of_bench = {name for name in files if re.fullmatch(r"(?!seen-)[^/]*\.json", name)}
+    # Renames a temporary folder, so that the new folder appears complete or not at all.
     with tempfile.TemporaryDirectory(dir=arguments.into, prefix=".gpu-results-") as temporary:
-        folder = unpack(arguments.results, temporary)
-        device = device_of(folder)
-        text = page(folder, device, steps_of(folder))
+        folder = Path(temporary, "results")
         write_whole(folder / "README.md", text.encode())
-        pack_logs(folder)
+        for name in of_bench:
+            write_whole(folder / name, files[name])
+        with tarfile.open(folder / "logs.tar.xz", "w:xz") as tar:
+            for name in sorted(files.keys() - of_bench):
+                member = tarfile.TarInfo(name)
+                member.size = len(files[name])
+                tar.addfile(member, io.BytesIO(files[name]))
         name = re.sub(r"\W+", "-", device)[:LONGEST_NAME].strip("-") or "unnamed"
-        target = free_folder(arguments.into, ("rehearsal-" if text_of(folder, "rehearsal") else "") + name)
+        target = free_folder(arguments.into, ("rehearsal-" if text_of(files, "rehearsal") else "") + name)
         os.rename(folder, target)
     print(text.split("\n## Steps")[0])
     print(target / "README.md")

@@ -70,10 +70,10 @@ Ended run(const Command& command, std::vector<std::string> words, const fs::path
                             .end(limit);
     if (ended.code == exit_success && !ended.timed_out) return ended;
     const std::string said = last_line(complaints.text(most_complaints));
-    throw Error(fmt::format("{}: {}{}", command.name,
-                            ended.timed_out ? fmt::format("no end within {:g} s (MANDELMARCH_DEVICE_TIMEOUT)", limit)
-                                            : ended.text(),
-                            said.empty() ? "" : ": " + printable(said, longest_complaint)));
+    throw Error(fmt::format(
+        "{}: {}{}", command.name,
+        ended.timed_out ? fmt::format("no end within {:g} s (MANDELMARCH_DEVICE_TIMEOUT)", limit) : ended.text(),
+        said.empty() ? "" : ": " + printable(said, longest_complaint)));
 }
 
 // Reads the picture that the program has written. Throws Error.
@@ -114,8 +114,12 @@ RenderStats stats_in(const fs::path& folder, const RendererOptions& options)
     stats.instruction_set = json.at("instruction_set");
     stats.unsettled = json.at("unsettled");
     if (json.at("step_factor").is_number()) stats.step_factor = json.at("step_factor");
-    stats.timings = {.context = seconds.at("context"), .build = seconds.at("build"), .upload = seconds.at("upload"),
-                     .kernel = seconds.at("kernel"),   .host = seconds.at("host"),   .readback = seconds.at("readback"),
+    stats.timings = {.context = seconds.at("context"),
+                     .build = seconds.at("build"),
+                     .upload = seconds.at("upload"),
+                     .kernel = seconds.at("kernel"),
+                     .host = seconds.at("host"),
+                     .readback = seconds.at("readback"),
                      .wall = seconds.at("wall")};
     stats.work = {.steps = work.at("steps"), .de_calls = work.at("de_calls"), .iterations = work.at("iterations")};
     return stats;
@@ -154,8 +158,7 @@ Drawn drawn(const Command& command, Scene scene, const RendererOptions& options,
 
 class ProgramRenderer : public Renderer {
 public:
-    ProgramRenderer(Command command, const RendererOptions& options)
-        : command_(std::move(command)), options_(options)
+    ProgramRenderer(Command command, const RendererOptions& options) : command_(std::move(command)), options_(options)
     {
     }
 

@@ -203,14 +203,6 @@ inline constexpr auto fields_of<Counted> = extended(Description{"counted", field
                                                     fields_of<Count>);
 
 template <>
-inline constexpr auto fields_of<StageTime> = Description{"stage_time",
-                                                         field("fractal", &StageTime::fractal),
-                                                         field("precision", &StageTime::precision),
-                                                         field("mode", &StageTime::mode),
-                                                         field("stage", &StageTime::stage),
-                                                         field("seconds", &StageTime::seconds, "", rules::seconds)};
-
-template <>
 inline constexpr auto fields_of<Ratio> =
     Description{"ratio", field("numerator", &Ratio::numerator), field("denominator", &Ratio::denominator),
                 field("ratio", &Ratio::ratio)};
@@ -292,7 +284,6 @@ inline constexpr auto fields_of<Result> =
                 field("warnings", &Result::warnings),
                 field("peaks", &Result::peaks),
                 field("counts", &Result::counts),
-                field("stages", &Result::stages),
                 field("rows", &Result::rows),
                 derived_field("questions", &Result::questions)};
 

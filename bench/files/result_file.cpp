@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "bench/result/figures.h"
 #include "bench/files/gpu_reading.h"
@@ -15,19 +13,13 @@
 #include "bench/files/result_fields.h"
 #include "bench/files/version1.h"
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
 
-std::string text_of_file(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(path + ": cannot be read, expected a result file of bench --json");
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
+constexpr std::string_view result_kind = "result file of bench --json";
 
 // Returns the JSON in the text; if the text is not JSON, a value for which is_discarded() is true.
 Json parsed(const std::string& text, const std::string& name)
@@ -110,18 +102,18 @@ Result parse_result(const std::string& text, const std::string& name)
     return result_from_json(json, name);
 }
 
-Result read_result(const std::string& path) { return parse_result(text_of_file(path), path); }
+Result read_result(const std::string& path) { return parse_result(text_of_file(path, result_kind), path); }
 
 std::optional<Result> read_if_result(const std::string& path)
 {
-    const Json json = parsed(text_of_file(path), path);
+    const Json json = parsed(text_of_file(path, result_kind), path);
     if (schema_in(json) != result_schema) return std::nullopt;
     return result_from_json(json, path);
 }
 
 Json upgraded_json(const std::string& path)
 {
-    Json json = parsed(text_of_file(path), path);
+    Json json = parsed(text_of_file(path, result_kind), path);
     const Json schema = schema_in(json);
     if (!schema.is_string()) throw InputError(path + ": not a file of bench, expected a result of --json");
     if (schema == result_schema) return json_of(result_from_json(json, path));

@@ -31,8 +31,7 @@ void MovingEye::group(std::vector<TimedCase*>& order) const
 
 std::size_t MovingEye::group_of(const Case& one)
 {
-    const auto found =
-        std::ranges::find_if(groups_, [&](const Group& group) { return pictures_.same(group.of, one); });
+    const auto found = std::ranges::find_if(groups_, [&](const Group& group) { return pictures_.same(group.of, one); });
     if (found != groups_.end()) return static_cast<std::size_t>(found - groups_.begin());
     Image bytes(one.scene.width, one.scene.height, Image::Layers::bytes);
     bytes.bytes() = pictures_.for_case(one).image.bytes();
@@ -61,8 +60,8 @@ const Case& MovingEye::view_of(const Case& one)
         const bool visible =
             static_cast<double>(change.visibly_differing) >= least_change * static_cast<double>(change.pixels);
         if (!visible && group.share <= last_move) continue;
-        const std::string blind =
-            fmt::format("{}: nearby views look alike: a picture kept from an earlier run is not noticed", one.row.fractal);
+        const std::string blind = fmt::format(
+            "{}: nearby views look alike: a picture kept from an earlier run is not noticed", one.row.fractal);
         if (!visible && std::ranges::find(warnings_, blind) == warnings_.end()) warnings_.push_back(blind);
         return views_.emplace(index, std::move(view)).first->second;
     }

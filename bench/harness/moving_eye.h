@@ -32,8 +32,8 @@ public:
     const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
-    // A configuration of each expected picture, its own picture, and how far its eye moves: the fraction of its distance
-    // to the target.
+    // A configuration of each expected picture, its own picture, and how far its eye moves: the fraction of its
+    // distance to the target.
     struct Group {
         Case of;
         Image own;

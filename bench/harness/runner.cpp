@@ -28,7 +28,10 @@ bool narrow_enough(const Row& row, double half_width)
 class Rounds {
 public:
     Rounds(std::vector<TimedCase>& rows, const Rules& rules, MovingEye* eye)
-        : rows_(rows), rules_(rules), eye_(eye), random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.run))
+        : rows_(rows),
+          rules_(rules),
+          eye_(eye),
+          random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.run))
     {
     }
 

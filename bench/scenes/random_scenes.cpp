@@ -11,6 +11,7 @@
 #include "bench/base/table.h"
 #include "bench/machine/environment.h"
 #include "core/base/error.h"
+#include "core/render/agreement.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/scene/random_scene.h"
@@ -99,6 +100,39 @@ std::vector<RandomSums> sums_of(const std::vector<RandomRow>& rows)
     return all;
 }
 
+bool passed(const RandomSums& sums)
+{
+    return std::ranges::all_of(sums.sets, [](const auto& set) { return set.second.passed(); });
+}
+
+// Returns RandomSums::missed. `drawn` renders a scene.
+template <class Drawn>
+std::string missed(const RandomSums& sums, const std::vector<DrawnScene>& scenes, const Drawn& drawn)
+{
+    const std::string name = fmt::format("{} {}", sums.fractal, name_of(sums.precision));
+    std::string text;
+    for (const auto& [seed, set] : sums.sets) {
+        if (set.passed()) continue;
+        text += fmt::format(
+            "{}, set {}: {:.2f} % off (limit {:.0f} %), {:.3f} % hit or miss wrong (limit {:.2f} %); worst: {}\n", name,
+            seed, 100 * set.off(), 100 * most_off, 100 * set.wrong_hits(), 100 * most_wrong_hits,
+            render_command(set.worst_scene, {.precision = sums.precision, .mode = Mode::fast}));
+    }
+    if (text.empty()) return text;
+    for (const double step_factor : {0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}) {
+        RandomSums tried;
+        for (const DrawnScene& one : scenes) {
+            if (one.scene.fractal->short_name != sums.fractal) continue;
+            Scene scene = one.scene;
+            scene.limits.step_factor = step_factor;
+            const Comparison off = compare(one.canonical, drawn(scene, sums.precision, Mode::fast));
+            tried.sets[std::to_string(one.set)].add({one.set, one.number, scene, sums.precision, off});
+        }
+        if (passed(tried)) return text + fmt::format("{}: a step factor of {} holds the limits\n", name, step_factor);
+    }
+    return text + name + ": no step factor from 0.8 to 0.1 holds the limits\n";
+}
+
 }  // namespace
 
 void RandomSum::add(const RandomRow& row)
@@ -109,6 +143,11 @@ void RandomSum::add(const RandomRow& row)
     hit_or_miss += off.hit_or_miss;
     const double part = share(off.visibly_differing, off.pixels);
     worst = std::max(worst, part);
+    const double load = std::max(part / most_off, share(off.hit_or_miss, off.pixels) / most_wrong_hits);
+    if (load >= worst_load) {
+        worst_load = load;
+        worst_scene = row.scene;
+    }
     if (part > most_off) {
         ++far_off;
         if (row.exact_off > most_off) ++short_of_digits;
@@ -123,9 +162,7 @@ bool RandomSum::passed() const { return off() <= most_off && wrong_hits() <= mos
 
 bool RandomResult::passed() const
 {
-    return std::ranges::all_of(sums, [](const RandomSums& one) {
-        return std::ranges::all_of(one.sets, [](const auto& set) { return set.second.passed(); });
-    });
+    return std::ranges::all_of(sums, [](const RandomSums& one) { return bench::passed(one); });
 }
 
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
@@ -173,6 +210,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
         }
     }
     result.sums = sums_of(result.rows);
+    for (RandomSums& sums : result.sums) sums.missed = missed(sums, scenes, drawn);
     return result;
 }
 
@@ -199,6 +237,7 @@ std::string to_console(const RandomResult& result)
                             fmt::format("{} of {}", sums.all.far_off, sums.all.scenes), sums.all.short_of_digits,
                             100 * sums.all.worst);
     }
+    for (const RandomSums& sums : result.sums) text += sums.missed;
     return text + fmt::format(
                       "off: by more than 2 of 255; short of digits: those of the scenes over {0:.0f} % in which exact "
                       "mode's float\npicture, too, is over {0:.0f} % off its double picture; limits of every set, "

@@ -42,6 +42,8 @@ struct RandomSum {
     int far_off = 0;          // scenes in which more than most_off of the pixels differ visibly
     int short_of_digits = 0;  // far_off scenes whose exact_off also exceeds most_off: the precision is too low
     double worst = 0;         // largest fraction of visibly differing pixels in one scene
+    double worst_load = 0;    // largest multiple of a limit in one scene, and this scene
+    Scene worst_scene{};
 
     void add(const RandomRow& row);
     double off() const;         // fraction of the pixels that differ visibly
@@ -55,6 +57,9 @@ struct RandomSums {
     Precision precision = Precision::f64;
     RandomSum all;
     std::map<std::string, RandomSum> sets;
+    // A line for each set that exceeds a limit, with the command of its worst scene, and a line for the largest step
+    // factor with which no set does.
+    std::string missed{};
 };
 
 // Limits for fast mode in each set.
@@ -80,7 +85,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
 
 nlohmann::ordered_json json_of(const RandomResult& result);
 
-// Returns a table with a line for each fractal and precision.
+// Returns a table with a line for each fractal and precision, and then RandomSums::missed.
 std::string to_console(const RandomResult& result);
 
 }  // namespace mandelmarch::bench

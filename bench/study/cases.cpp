@@ -202,9 +202,10 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     std::vector<Case> cases = crossed(axes);
     const auto chosen = selection(options.filter);
     std::erase_if(cases, [&](const Case& one) {
-        const bool again = one.row.precision != options.precisions.front() ||
-                           one.row.mode != options.selected_modes().front();
-        return (one.backend->info().foreign && again) || !(asked(*one.backend) || is_baseline(one)) || !study.keeps(one) || !chosen(one.row.name());
+        const bool again =
+            one.row.precision != options.precisions.front() || one.row.mode != options.selected_modes().front();
+        return (one.backend->info().foreign && again) || !(asked(*one.backend) || is_baseline(one)) ||
+               !study.keeps(one) || !chosen(one.row.name());
     });
     for (Case& one : cases) realise(one, options);
     cases.insert(cases.end(), without_device.begin(), without_device.end());

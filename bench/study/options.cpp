@@ -77,7 +77,8 @@ void add_selection(CLI::App& app, Registry& registry, Options& options)
            },
            "mode to measure: all, exact or fast (default: depends on the study; the study standard uses both)")
         ->check(CLI::IsMember({"all", "exact", "fast"}));
-    app.add_option("--scene", options.scene, "parameter file to render, for one --fractal (default: the study's scenes)");
+    app.add_option("--scene", options.scene,
+                   "parameter file to render, for one --fractal (default: the study's scenes)");
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { options.size = size_option(text); },
         "picture size, WxH in pixels (default: the study's, 540x540 in most)");

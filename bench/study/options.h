@@ -41,14 +41,15 @@ struct Options {
 // Returns the parts of a text that commas separate.
 std::vector<std::string> parts_of(std::string_view text);
 
-// Parses a list of backends, separated by commas, and opens them; `all`: an empty list. Throws InputError for an unknown
-// name.
+// Parses a list of backends, separated by commas, and opens them; `all`: an empty list. Throws InputError for an
+// unknown name.
 std::vector<std::string> parse_backends(Registry& registry, std::string_view text);
 
 // Parses a fractal's name. Returns that fractal, or `all` for the text "all".
 std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all);
 
-// Declares --backend, --fractal, --precision, --mode, --scene, --size, --study and --filter, which set members of `options`.
+// Declares --backend, --fractal, --precision, --mode, --scene, --size, --study and --filter, which set members of
+// `options`.
 void add_selection(CLI::App& app, Registry& registry, Options& options);
 
 }  // namespace mandelmarch::bench

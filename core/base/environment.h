@@ -82,6 +82,10 @@ struct VariableName {
 // Returns the variable's value; "" if it is not set.
 std::string environment_variable(VariableName name);
 
+// Returns the seconds that the variable gives; `usual` if it is not set or empty. Throws InputError if it is not a
+// number from 0.001 to 1e6.
+double environment_seconds(VariableName name, double usual);
+
 // Returns the names and values of the set variables that bench records.
 std::map<std::string, std::string> recorded_variables();
 

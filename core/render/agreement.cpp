@@ -7,7 +7,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <regex>
 #include <type_traits>
+
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
 
 namespace mandelmarch {
 namespace {
@@ -88,6 +92,14 @@ Agreement agreement(const Image& expected, const Image& image, Precision precisi
         result.level = Level::perceptual;
     }
     return result;
+}
+
+std::string render_command(const Scene& scene, const RendererOptions& options)
+{
+    const std::string lines = std::regex_replace(to_parameters(scene), std::regex("#.*\n"), "");
+    return fmt::format("bin/render --fractal {} --precision {} --mode {} - <<< $'{}'", scene.fractal->short_name,
+                       name_of(options.precision), name_of(options.mode),
+                       std::regex_replace(lines, std::regex("\n"), "\\n"));
 }
 
 std::string summary(const Agreement& agreement)

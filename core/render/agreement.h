@@ -40,7 +40,11 @@ Level level_required(Mode mode);
 // Throws InputError if their sizes differ.
 Agreement agreement(const Image& expected, const Image& image, Precision precision);
 
-// Returns "same bits" or "same bytes", the largest difference such as "3 ULP", or the visible difference such as "0.125 % off".
+// Returns the command, for bash, that renders the scene. It lacks what parameter files lack, such as crop windows.
+std::string render_command(const Scene& scene, const RendererOptions& options);
+
+// Returns "same bits" or "same bytes", the largest difference such as "3 ULP", or the visible difference such as
+// "0.125 % off".
 std::string summary(const Agreement& agreement);
 
 }  // namespace mandelmarch

@@ -37,8 +37,8 @@ public:
     // Returns the backend with this name; nullptr if there is none.
     const Backend* find(std::string_view name) const;
 
-    // Returns the backend with this name, and makes it first if the name is "NAME:argument". Returns nullptr if there is
-    // none. Throws what Backend::with_argument() throws.
+    // Returns the backend with this name, and makes it first if the name is "NAME:argument". Returns nullptr if there
+    // is none. Throws what Backend::with_argument() throws.
     const Backend* open(const std::string& name);
 
     // Returns the first backend with this role; nullptr if there is none.

@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <tuple>
 
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/input_file.h"
 #include "core/base/output_file.h"
 #include "core/base/stopwatch.h"
 #include "core/base/temporary_path.h"
@@ -63,7 +63,7 @@ public:
           ranks_(ranks),
           work_(work),
           frames_(chosen_frames(options.frames, path.frames.size())),
-          coding_{container_of(options.output), path.frames_per_second}
+          coding_{options.output, container_of(options.output), path.frames_per_second}
     {
     }
 
@@ -133,8 +133,9 @@ public:
             pieces[0] = ".part-tagged.mp4";
             add({"-strict", "unofficial"});
         }
-        add({"-fflags", "+bitexact", "-progress", "pipe:1", "-stats_period", "3600"});
-        write_file(work_.folder() + "/list.txt", fmt::format("file '{}'\n", fmt::join(pieces, "'\nfile '")));
+        add({"-fflags", "+bitexact", "-progress", "pipe:1"});
+        write_file(work_.folder() + "/list.txt", fmt::format("file '{}'\n", fmt::join(pieces, "'\nfile '")),
+                   NamedBy::program);
         const auto join_to = [&](const std::string& part) {
             add({part});
             const auto told = run_ffmpeg(joining, work_.folder(), options_.output);
@@ -159,17 +160,13 @@ private:
     // Copies the joined film to the output and writes its stamp.
     void deliver(const std::string& part)
     {
-        std::ifstream joined(work_.folder() + "/" + part, std::ios::binary);
-        std::string bytes(1 << 20, '\0');
+        InputFile joined(work_.folder() + "/" + part, "film", NamedBy::program);
         OutputFile film(options_.output);
         Digest hash;
-        do {
-            joined.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-            const auto count = static_cast<std::size_t>(joined.gcount());
-            hash.add(bytes.data(), count);
-            film.write(bytes.data(), count);
-        } while (joined);
-        if (!joined.eof()) throw Error(fmt::format("{}/{}: cannot be read", work_.folder(), part));
+        for (std::string bytes; joined.next(bytes);) {
+            hash.add(bytes.data(), bytes.size());
+            film.write(bytes.data(), bytes.size());
+        }
         film.commit();
         if (OutputFile::is_stream(options_.output)) return;
         write_note(end_of_links(options_.output), work_.made_of(), hash.text());
@@ -183,7 +180,7 @@ private:
         const TemporaryPath temporary(work_.folder() + "/" + part);
         write(part);
         if (!is_whole(temporary.path(), container)) {
-            throw Error(fmt::format("{}: ffmpeg left an incomplete file, is the disk full?", temporary.path()));
+            throw Error(fmt::format("{}: ffmpeg left an incomplete file, is the disk full?", options_.output));
         }
         take(part);
     }
@@ -283,7 +280,7 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
     static_cast<void>(chosen_segments(options.segments, last - first + 1));
     OutputFile::check(options.output);
     if (!OutputFile::is_stream(options.output)) {
-        OutputFile::check(stamp_path(end_of_links(options.output)));
+        OutputFile::check(stamp_path(end_of_links(options.output)), NamedBy::program);
     } else if (options.segments) {
         throw InputError(fmt::format("--segments: the output {} is a pipe or device, expected a file", options.output));
     }

@@ -30,7 +30,7 @@ void write_png_still(const std::string& file, const std::vector<std::uint8_t>& r
         const auto from = rgb.begin() + static_cast<std::ptrdiff_t>(y * row);
         std::copy_n(from, row, image.bytes().end() - static_cast<std::ptrdiff_t>((y + 1) * row));
     }
-    write_image(file, ImageFormat::png, image);
+    write_image(file, ImageFormat::png, image, NamedBy::program);
 }
 
 void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& rgb, const Picture& picture)
@@ -40,13 +40,11 @@ void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& 
                     "-pix_fmt yuvj444p -fflags +bitexact -flags:v +bitexact -f image2pipe -",
                     picture.width, picture.height));
     command.insert(command.begin(), ffmpeg());
-    FfmpegProcess process(command, "", ffmpeg_timeout(encoding_seconds));
+    FfmpegProcess process(command, "");
     process.write(rgb.data(), rgb.size());
     const auto result = process.finish();
     if (!result.cause.empty()) throw Error(fmt::format("{}: cannot be written: {}", file, result.cause));
-    OutputFile output(file);
-    output.write(result.output.data(), result.output.size());
-    output.commit();
+    write_file(file, result.output, NamedBy::program);
 }
 
 std::vector<std::size_t> frames_of(const StillOptions& options, std::size_t all)

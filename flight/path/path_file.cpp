@@ -7,13 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <sstream>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/text.h"
 #include "core/scene/fractal.h"
 #include "flight/path/path.h"
@@ -26,6 +25,7 @@ using Json = nlohmann::json;
 constexpr const char* format_name = "mandelmarch path 1";
 constexpr std::string_view original_estimate_name = "counted";  // name of the original estimate in path files
 constexpr std::size_t most_frames = 10'000'000;                 // 92 hours at 30 frames per second
+constexpr std::size_t largest_file = std::size_t{4} << 30;      // bytes; more than so many frames need
 constexpr const char* by_size = "by size";
 constexpr double usual_detail = -3;  // value of scene.detail if the detail level follows from the picture size
 constexpr ParameterInfo detail_meaning{"detail level", -37, 3};
@@ -283,18 +283,6 @@ Path path_from_text(const std::string& text, const std::string& name)
     return path;
 }
 
-std::string text_of_file(const std::string& file, std::string_view kind)
-{
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    stream.peek();  // fails for a folder, but also at the end of an empty file
-    if (!stream.is_open() || stream.bad()) {
-        throw InputError(fmt::format("{}: cannot be read, expected a {}", file, kind));
-    }
-    text << stream.rdbuf();
-    return text.str();
-}
-
-Path read_path(const std::string& file) { return path_from_text(text_of_file(file, "path file"), file); }
+Path read_path(const std::string& file) { return path_from_text(text_of_file(file, "path file", largest_file), file); }
 
 }  // namespace mandelmarch

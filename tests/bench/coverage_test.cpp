@@ -122,7 +122,7 @@ TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
 }
 
 // Negative control: the interval from the percentiles of a hierarchical bootstrap is too narrow for few runs.
-TEST(CoverageOfThreeRunes, IsMissedByABootstrap)
+TEST(CoverageOfThreeRuns, IsMissedByABootstrap)
 {
     const std::map<int, double> quiet{{0, 1}, {1, 1}, {2, 1}};
     const auto bootstrap = [&](Random& random) {

@@ -1,88 +1,76 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# race_test.sh BIN: runs `bench race` with a correct serial program (racer.cpp) and with faulty ones.
+# programs_test.sh BIN: measures a correct serial program (made_program.cpp), faulty ones, and `render`, as backends.
 set -euo pipefail
 bench=$1/bench
 . "$(dirname "$0")/expect.sh"
 mkdir tmp
 export TMPDIR=$work/tmp
 # says PROGRAM PATTERN: checks the program's line of the table.
-says() { grep -q -- "^\./$1  *$2" out || { cat out err >&2; fail "$1 is not '$2'"; }; }
+says() { grep -- "program:./$1 " out | grep -q -- "$2" || { cat out err >&2; fail "$1 is not '$2'"; }; }
 
 faults=(nearly wrong size silent elsewhere text fails crashes hangs forks)
-cp "$1/bench_racer" racer
+cp "$1/bench_made_program" made_program
 for fault in right "${faults[@]}"; do
-    printf '#!/bin/sh\nRACER=%s exec %s "$1"\n' "${fault/right/}" "$work/racer" >"$fault"
+    printf '#!/bin/sh\nMADE_FAULT=%s exec %s "$1"\n' "${fault/right/}" "$work/made_program" >"$fault"
     chmod +x "$fault"
 done
-# Makes a program that writes a wrong picture from its fourth run on.
-cat >unsteady <<SH
-#!/bin/sh
-echo run >>$work/runs
-[ \$(wc -l <$work/runs) -gt 3 ] && export RACER=wrong
-exec $work/racer "\$1"
-SH
-chmod +x unsteady
 # Makes a program that keeps the correct picture of its first run and only copies it in later runs.
 cat >stale <<SH
 #!/bin/sh
-[ -e $work/kept.bmp ] || { $work/racer "\$1" && mv image.bmp $work/kept.bmp; }
+[ -e $work/kept.bmp ] || { $work/made_program "\$1" && mv image.bmp $work/kept.bmp; }
 cp $work/kept.bmp image.bmp
 SH
-chmod +x stale
-printf 'neither a program nor a script' >nothing
-chmod +x nothing
-few=(--fractal box --size 60x40 --repetitions 6)
+# Makes a program that leaves a folder without rights, and a process of a session of its own.
+cat >litter <<SH
+#!/bin/sh
+mkdir -m 000 kept
+setsid sleep 1000.25 >/dev/null 2>&1 &
+exec $work/made_program "\$1"
+SH
+chmod +x stale litter
+few=(--fractal box --size 60x40 --precision double --mode exact --repetitions 6 --no-peaks)
+# Joins the programs' names as backends.
+backends() { local IFS=,; echo "${*/#/program:./}"; }
 
 # A correct program is timed. A program whose picture differs slightly is timed, too, and its line of the table says how
-# many pixels differ.
-expect 0 race ./right ./nearly "${few[@]}" --json right.json
-grep -q '^mandelmarch openmp  *same bytes .*\] .*\] .* 0$' out || fail "$(cat out)"
-says right '\(same bytes\|0.000 % off\) .*\] .*\] .* 0$'
-says nearly '[0-9.]* % off .* 0$'
+# many pixels differ. All exit codes are seen if the caller ignores the signal of ended children.
+expect 0 --backend "openmp,$(backends right nearly litter)" "${few[@]}" --json right.json
+says right '\(same bytes\|0.000 % off\) .*\]'
+says nearly '[0-9.]* % off .*\]'
+pgrep -f 'sleep 1000.25' >/dev/null && fail "a process of a program still runs"
+[ -z "$(ls tmp)" ] || fail "left in the temporary folder: $(ls tmp)"
 
-# The table names the fault of each faulty program and gives the program no speed. mandelmarch itself gets a speed.
-expect 1 race "${faults[@]/#/./}" ./unsteady ./stale ./nothing "${few[@]}" --limit 3 --json faults.json
-says wrong 'WRONG  *[0-9]* of 2400 pixels differ, [0-9]* visibly, the first at [0-9]*,[0-9]*$'
-says size 'WRONG SIZE  *61 x 40 pixels, expected 60 x 40$'
-says silent 'NO PICTURE  *no image.bmp$'
-says elsewhere 'NO PICTURE  *no image.bmp, but other.bmp$'
-says text 'NO IMAGE FILE  *image.bmp: '
-says fails 'FAILED  *exit code 3: racer: I cannot$'
-says crashes 'CRASHED  *ended by signal 11, '
-says hangs 'HUNG  *no end within 3 s$'
-says forks 'HUNG'
-says unsteady 'UNSTEADY  *round [0-9], another view: [0-9]* of 2400 pixels differ'
-says stale 'UNSTEADY  *round 0, another view: [0-9]* of 2400 pixels differ'
-says nothing 'NO START  *does not start: '
+# Each faulty program has no speed, and its line says why; openmp has one.
+MANDELMARCH_DEVICE_TIMEOUT=3 expect 1 --backend "openmp,$(backends "${faults[@]:1}" stale)" "${few[@]}" --json faults.json
+says wrong 'FAILED: .*[0-9]* of 2400 pixels differ'
+says size 'FAILED: .*61 x 40 pixels, expected 60 x 40'
+says silent 'FAILED: .*no image.bmp'
+says elsewhere 'FAILED: .*no image.bmp'
+says text 'FAILED: .*image.bmp: '
+says fails 'FAILED: .*exit code 3.*made_program: I cannot'
+says crashes 'FAILED: .*signal 11'
+says hangs 'FAILED: .*no end within 3 s'
+says forks 'FAILED: .*no end within 3 s'
+says stale 'FAILED: .*a view nearby is wrong'
+env --ignore-signal=CHLD "$bench" --backend "$(backends fails)" "${few[@]}" >out 2>err && fail "a program that fails passes"
+says fails 'exit code 3'
 python3 - <<'PY'
 import json
-right, faults = (json.load(open(name + ".json"))["programs"] for name in ("right", "faults"))
-assert all(len(p["samples"]) == 6 and p["wall"]["median"] > 0 and p["memory"] > 1e6 for p in right), right
-assert right[0]["ours"] and right[0]["times_ours"] == 1 and not right[1]["ours"]
-assert right[1]["picture"]["visibly_differing"] == 0 and right[1]["picture"]["differing"] < right[2]["picture"]["differing"]
-assert right[2]["picture"]["first_x"] >= 0
-ours, *others = faults
-assert ours["wall"] and len(others) == 13
-for p in others:
-    timed = p["name"] == "./nearly"
-    assert (p["wall"] is not None) == timed and (p["times_ours"] is not None) == timed and bool(p["samples"]) == timed, p
-assert [p["signal"] for p in others if p["name"] == "./crashes"] == [11]
-assert [p["exit_code"] for p in others if p["name"] == "./fails"] == [3]
+right, faults = (json.load(open(name + ".json"))["rows"] for name in ("right", "faults"))
+for row in right:
+    assert row["samples"], row
+for row in faults:
+    assert bool(row["samples"]) == (not row["backend"].startswith("program:")), row
 PY
 
-# Tests wrong arguments of race.
-refused 'nosuch: no program' race ./nosuch
-expect 2 race
-expect 2 race ./right --csv x.csv
-expect 2 race ./right --scene nosuch.dat --fractal box
-refused 'without --fractal' race ./right --scene right
-expect 2 race ./right --json right
-grep -q exec right || fail "a race wrote over a program"
-expect 1 race ./right "${few[@]}" --backend nosuch
-grep -q '^mandelmarch nosuch  *FAILED  *exit code 2' out || fail "$(cat out)"
+# `render` is not foreign: it is measured in each precision and mode, its exact pictures have the same bits, and its
+# times are those of its statistics.
+expect 0 --backend "program:$1/render --threads 1" --fractal box --size 60x40 --repetitions 2 --no-peaks
+[ "$(grep -c 'program:.*render.* same bits ' out)" = 2 ] || { cat out >&2; fail "two rows with the same bits"; }
 
-# No temporary folder and no process of a program remains.
-[ -z "$(ls tmp)" ] || fail "left in the temporary folder: $(ls tmp)"
-! pgrep -f "$work/racer" >/dev/null || fail "a program still runs"
+refused 'nosuch: expected an executable' --backend program:./nosuch
+refused 'without --fractal' --backend program:./right --scene right
+expect 2 --backend program:./right --fractal box --scene nosuch.dat
+! pgrep -f "$work/made_program" >/dev/null || fail "a program still runs"
 echo fine

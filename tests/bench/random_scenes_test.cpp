@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <regex>
 #include <vector>
 
 #include "backends/openmp/openmp.h"
@@ -61,7 +62,12 @@ TEST(Random, HoldsSetsToTheirShares)
     EXPECT_TRUE(measure_random(registry(), options, no_progress).passed());
     RandomOptions plain = options;
     plain.backend = "plain";
-    EXPECT_FALSE(measure_random(registry(), plain, no_progress).passed());  // negative control
+    const RandomResult missed = measure_random(registry(), plain, no_progress);
+    EXPECT_FALSE(missed.passed());  // negative control
+    const std::regex lines(
+        "\nbulb double, set 1001: [0-9.]+ % off .limit 2 %., [0-9.]+ % hit or miss wrong .limit 0.02 %.; "
+        "worst: bin/render --fractal bulb .* - <<< [$]'.*'\nbulb double: .* hold");
+    EXPECT_TRUE(std::regex_search(to_console(missed), lines)) << to_console(missed);
 }
 
 TEST(Random, NamesWhatIsNotThere)

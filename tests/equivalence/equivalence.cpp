@@ -35,6 +35,15 @@ const Image& Expected::picture(const NamedScene& scene, Precision precision, Mod
     return pictures_.emplace(key, render(baseline, scene.scene, options)).first->second;
 }
 
+std::string Expected::suspicion(const NamedScene& scene, Precision precision, const Backend& backend,
+                                const Image& wrong)
+{
+    const std::string key = fmt::format("{} {}", scene.name, name_of(precision));
+    const auto& [name, image] = wrong_.try_emplace(key, backend.name(), wrong).first->second;
+    if (name == backend.name() || !compare(image, wrong).same()) return {};
+    return fmt::format("; {} has the same picture: suspect openmp's scalar kernel", name);
+}
+
 EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,
                      const std::vector<NamedScene>& scenes, Expected& expected)
 {
@@ -60,7 +69,9 @@ EquivalenceRow check(const Backend& backend, const RendererOptions& options, con
         row.level = std::max(row.level, found.level);
         row.largest_ulps = std::max(row.largest_ulps, found.largest_ulps);
         if (c.first >= 0 && row.first.empty()) {
-            row.first = fmt::format("{}: {}", named.name, describe_pixel(right, image, c.first));
+            row.first = fmt::format("{}: {}; {}", named.name, describe_pixel(right, image, c.first),
+                                    trace_command(named.scene, options, c.first));
+            if (options.mode == Mode::exact) row.first += expected.suspicion(named, options.precision, backend, image);
         }
     }
     return row;

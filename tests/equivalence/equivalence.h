@@ -23,7 +23,7 @@ struct EquivalenceRow {
     std::uint64_t pixels = 0;
     std::uint64_t differing = 0;  // pixels that differ in a bit of colour or depth, or in a byte
     double largest_ulps = 0;
-    std::string first;  // the first differing pixel with both values; empty if none differs
+    std::string first;  // the first differing pixel with both values, and how to trace it; empty if none differs
 
     bool passed() const { return level <= level_required(mode); }
 };
@@ -38,9 +38,13 @@ public:
     explicit Expected(const Registry& registry) : registry_(registry) {}
     const Image& picture(const NamedScene& scene, Precision precision, Mode mode);
 
+    // Returns a note if another backend has rendered this wrong picture in exact mode before; else an empty string.
+    std::string suspicion(const NamedScene& scene, Precision precision, const Backend& backend, const Image& wrong);
+
 private:
     const Registry& registry_;
     std::map<std::string, Image> pictures_;
+    std::map<std::string, std::pair<std::string, Image>> wrong_;  // the first wrong one of each scene, by a backend
 };
 
 // Renders the scenes that have this fractal, all with one renderer, and compares the pictures with the expected ones.

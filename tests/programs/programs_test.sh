@@ -204,9 +204,9 @@ test_arguments() {
 # super-sampling. unit/parameter_file_test.cpp tests other faults.
 test_parameter_files() {
     expect 2 "$bin/mandelbulb" missing.dat
-    says '^missing.dat:1: .*expected'
+    says '^missing.dat: No such file .*expected'
     expect 2 "$bin/mandelbulb" .
-    says '^\.:1: .*directory'
+    says '^\.: Is a directory'
     head -c 9000000 /dev/zero >zeros.dat
     expect 2 "$bin/mandelbulb" zeros.dat
     says '^zeros.dat:'
@@ -298,6 +298,11 @@ test_signals() {
 test_full_disk() {
     expect 1 bulb --output /dev/full
     says 'No space left'
+    # A picture is never there without the statistics of its run.
+    expect 1 bulb --output /dev/full --stats first.json
+    [ -s first.json ] || fail "the statistics come after the picture"
+    expect 1 bulb --output last.bmp --stats /dev/full
+    [ -s last.bmp ] || fail "a picture is lost, because its statistics cannot be written"
     expect 0 bulb --output a.bmp
     cp a.bmp kept.bmp
     expect 1 bash -c "ulimit -f 8; exec '$bin/mandelbulb' paramsBulb.dat --size 200x200 --backend openmp --output kept.bmp"
@@ -311,6 +316,10 @@ test_environment() {
     says "^MANDELMARCH_ISOLATION: 'maybe' given, expected on or off"
     MANDELMARCH_BACKENDS=openmp,nonsense expect 2 "$bin/render" --list-devices
     says "^MANDELMARCH_BACKENDS: 'nonsense' given, expected some of reference, openmp"
+    MANDELMARCH_DRIVER_LOG=./s.bmp expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output s.bmp
+    says 'the same file'
+    OMP_NUM_THREADS=200000 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output s.bmp
+    says "^OMP_NUM_THREADS: '200000' given, expected 1 to 1024"
     for name in OMP_STACKSIZE GOMP_STACKSIZE; do
         expect 2 env $name=16k "$bin/mandelbulb" paramsBulb.dat $small --output s.bmp
         says "^$name: '16k' given, expected at least 64K"

@@ -172,7 +172,8 @@ class ReportTest(unittest.TestCase):
         cut_off = made.random_scenes()
         del cut_off["sums"][0]["sets"]
         self.refused({"random.json": cut_off}, "random.json", "sets")
-        self.refused({"bench.json": '{"schema": "mandelmarch-bench", "ver'}, "bench.json", "not JSON")
+        self.refused({"bench.json": '{"schema": "mandelmarch-bench", "ver'}, "bench.json", "expected JSON")
+        self.refused({"bench.json": "[" * 100000}, "bench.json", "nested too deep")
         self.refused({"bench.json": made.bench() | {"version": 0}}, "bench.json", "version 0", "expected 2", "bench json")
         whole = made.bench()
         del whole["rows"][3]["verification"]

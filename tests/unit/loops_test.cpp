@@ -46,20 +46,20 @@ TEST(Loops, NoRayMakesMoreThanTheSchedulesBound)
     }
 }
 
-// Negative control: for every fractal, these scenes reach the bounds exactly. Therefore smaller bounds are wrong.
+// Negative control: the official scenes with two iterations reach the bounds exactly, because no orbit near the surface
+// escapes earlier. Therefore smaller bounds are wrong.
 TEST(Loops, OneLessIsTooFew)
 {
     for (const Fractal& fractal : fractals()) {
-        for (const int iterations : {1, 2, 4}) {
-            for (const int colouring : {0, 2}) {
-                Scene scene = official_scene(fractal, 16, 12);
-                scene.iterations = iterations;
-                scene.colouring = colouring;
-                const Loops most = loops_of(scene);
-                const Loops made = made_by(scene);
-                EXPECT_EQ(made.step, most.step) << fractal.name << iterations;
-                EXPECT_EQ(made.shade, most.shade) << fractal.name << iterations << ", colouring " << colouring;
-            }
+        for (const int colouring : {0, 2}) {
+            Scene scene = official_scene(fractal, 16, 12);
+            scene.iterations = 2;
+            scene.colouring = colouring;
+            const Loops most = loops_of(scene);
+            const Loops made = made_by(scene);
+            EXPECT_EQ(made.step, most.step) << fractal.name;
+            EXPECT_EQ(made.tried, most.tried) << fractal.name;
+            EXPECT_EQ(made.shade, most.shade) << fractal.name << ", colouring " << colouring;
         }
     }
 }
