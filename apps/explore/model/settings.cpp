@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
 
 #include "core/base/environment.h"
+#include "core/base/json.h"
 #include "core/base/output_file.h"
 #include "core/image/image.h"
 
@@ -28,7 +29,7 @@ Settings read_settings(const std::string& file, std::string& said)
     std::ifstream in(file, std::ios::binary);
     if (file.empty() || !in) return settings;
     try {
-        const Json json = Json::parse(in);
+        const Json json = parse_json<Json>({std::istreambuf_iterator<char>(in), {}}, file);
         Settings read;
         read.width = std::clamp(json.value("width", read.width), 160, max_side);
         read.height = std::clamp(json.value("height", read.height), 160, max_side);
@@ -43,7 +44,7 @@ Settings read_settings(const std::string& file, std::string& said)
         read.panel = json.value("panel", read.panel);
         read.statistics = json.value("statistics", read.statistics);
         return read;
-    } catch (const Json::exception&) {
+    } catch (const std::exception&) {
         said = file + ": not a settings file, so the defaults are used";
         return settings;
     }
