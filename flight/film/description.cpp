@@ -108,7 +108,7 @@ std::string summary_of(const Path& path, const Backend& backend, const FilmOptio
         {"device", {{"name", device.name}, {"driver", device.driver}, {"is_gpu", device.is_gpu}}},
         {"precision", name_of(options.renderer.precision)},
         {"mode", name_of(options.renderer.mode)},
-        {"threads", options.renderer.threads},
+        {"threads", backend.info().threads ? options.renderer.threads : 0},
         {"processes", processes},
         {"frames_rendered", report.frames},
         {"seconds", report.seconds},

@@ -134,6 +134,9 @@ test_stills() {
         diff -r st new >/dev/null || fail "stills of something else stay: $now"
         rm -rf new
     done
+    grep -q 'another film' stderr && fail "stills of another film, but they were replaced"
+    run 0 render path.json ${small/32x16/64x32} --stills st --every 60
+    says 'st has 2 pictures of another film, look, size'
     stills path.json $small --stills st --still-format jpeg
     : >st/frame-000000.jpg
     stills path.json $small --stills st --still-format jpeg
@@ -146,7 +149,7 @@ test_errors() {
     run 77 film ${small/openmp/openmp --device 99}
     local arguments
     for arguments in "--size 15x16" "--size 14x14" "--size 60000x60000" "--output nowhere/film.mp4" \
-        "--summary nowhere/summary.json" "--map nowhere/map.json" "--json nowhere/audit.json" "--segments 500-600" \
+        "--summary nowhere/summary.json" "--map nowhere/map.json" "--json nowhere/audit.json" \
         "--stills file" "--stills stills --summary summary.json" "--power 8:" "--power 0s=8,300s=5"; do
         run 2 film $small $arguments
     done
@@ -158,10 +161,15 @@ test_errors() {
     run 2 audit path.json --json nowhere/audit.json
     run 2 audit path.json --json path.json
     for arguments in "--power 8:5" "--output ./path.json" "--output v.mp4 --summary $PWD/v.mp4" "--stills st --segments 1-0" \
-        "--stills st --segments 5-9"; do
+        "--output v.mp4 --summary v.mp4.made" "--output v.mp4 --summary v.mp4.parts"; do
         run 2 render path.json $small $arguments
     done
-    says '5-9'
+    cp path.json v.mp4.made
+    run 2 render v.mp4.made $small --output v.mp4
+    says 'v.mp4.made: the stamp of --output and PATH are the same file'
+    # Backends that do not draw on the host's cores do not use its threads.
+    run 2 render path.json ${small/openmp/reference} --output v.mp4
+    says '--threads: not supported by backend reference'
 }
 
 # If the title, its line breaks or the font change, an existing film is rendered again.
@@ -287,6 +295,27 @@ END
     says 'an incomplete file'
     run 0 render path.json $small --output half.mp4
     same_file half.mp4 whole.mp4
+}
+
+# A segment that is exchanged while another one is rendered does not become a part of the film.
+test_exchanged_segment() {
+    whole
+    printf '#!/bin/sh\ncase "$*" in *.part-000001*) echo junk >segment-000000.mp4 ;; esac\nexec ffmpeg "$@"\n' >exchanging
+    chmod +x exchanging
+    MANDELMARCH_FFMPEG=$PWD/exchanging run 1 render path.json $small --output part.mp4
+    says 'part.mp4.parts/.*/segment-000000.mp4: changed while the film was made'
+    run 0 render path.json $small --output part.mp4
+    same_file part.mp4 whole.mp4
+}
+
+# On a file system without locks, films are made without one, and a message says so.
+test_no_locks() {
+    whole
+    echo '#include <errno.h>
+        int flock(int file, int how) { (void)file, (void)how; errno = ENOLCK; return -1; }' | cc -shared -fPIC -x c -o none.so -
+    LD_PRELOAD=$PWD/none.so run 0 render path.json $small --output none.mp4
+    says 'none.mp4.parts/lock: No locks available, so a second run of this name would not be noticed'
+    same_file none.mp4 whole.mp4
 }
 
 # Before a long film, time, disk space and memory are printed. The film and its segments need no more disk than that.
