@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <random>
+#include <tuple>
 
 #include "bench/base/table.h"
 #include "bench/machine/environment.h"
@@ -100,11 +101,6 @@ std::vector<RandomSums> sums_of(const std::vector<RandomRow>& rows)
     return all;
 }
 
-bool passed(const RandomSums& sums)
-{
-    return std::ranges::all_of(sums.sets, [](const auto& set) { return set.second.passed(); });
-}
-
 // Returns RandomSums::missed. `drawn` renders a scene.
 template <class Drawn>
 std::string missed(const RandomSums& sums, const std::vector<DrawnScene>& scenes, const Drawn& drawn)
@@ -128,7 +124,9 @@ std::string missed(const RandomSums& sums, const std::vector<DrawnScene>& scenes
             const Comparison off = compare(one.canonical, drawn(scene, sums.precision, Mode::fast));
             tried.sets[std::to_string(one.set)].add({one.set, one.number, scene, sums.precision, off});
         }
-        if (passed(tried)) return text + fmt::format("{}: a step factor of {} holds the limits\n", name, step_factor);
+        if (std::ranges::all_of(tried.sets, [](const auto& set) { return set.second.passed(); })) {
+            return text + fmt::format("{}: a step factor of {} holds the limits\n", name, step_factor);
+        }
     }
     return text + name + ": no step factor from 0.8 to 0.1 holds the limits\n";
 }
@@ -144,10 +142,7 @@ void RandomSum::add(const RandomRow& row)
     const double part = share(off.visibly_differing, off.pixels);
     worst = std::max(worst, part);
     const double load = std::max(part / most_off, share(off.hit_or_miss, off.pixels) / most_wrong_hits);
-    if (load >= worst_load) {
-        worst_load = load;
-        worst_scene = row.scene;
-    }
+    if (load >= worst_load) std::tie(worst_load, worst_scene) = std::tie(load, row.scene);
     if (part > most_off) {
         ++far_off;
         if (row.exact_off > most_off) ++short_of_digits;
@@ -160,10 +155,7 @@ double RandomSum::wrong_hits() const { return share(hit_or_miss, pixels); }
 
 bool RandomSum::passed() const { return off() <= most_off && wrong_hits() <= most_wrong_hits; }
 
-bool RandomResult::passed() const
-{
-    return std::ranges::all_of(sums, [](const RandomSums& one) { return bench::passed(one); });
-}
+bool RandomResult::passed() const { return std::ranges::all_of(sums, &std::string::empty, &RandomSums::missed); }
 
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress)
