@@ -263,5 +263,12 @@ TEST(ExploreSettings, AreKeptAndAnInvalidFileGivesAMessage)
     EXPECT_EQ(read_settings(file, said).look, default_look);
 }
 
+TEST(ExploreNames, AreFreeOfLinksThatLeadNowhere)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("missing", folder.path() / "view-001.png");
+    EXPECT_EQ(free_name(folder.path(), "view"), folder.path() / "view-002");
+}
+
 }  // namespace
 }  // namespace mandelmarch::explore

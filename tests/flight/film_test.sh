@@ -92,8 +92,8 @@ test_planted_files() {
     says 'w.mp4.parts: it is a link'
     [ -e other/lock ] || fail "a file behind a link is removed"
     mkfifo font
-    MANDELMARCH_FONT=$PWD/font run 1 render path.json $small --output v.mp4 --title b
-    says 'font: not a font file'
+    MANDELMARCH_FONT=font run 2 render path.json $small --output v.mp4 --title b
+    says 'MANDELMARCH_FONT: font is not a file'
 }
 
 # If stderr cannot be written, flythrough still makes the film and its summary.

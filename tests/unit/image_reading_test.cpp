@@ -324,7 +324,7 @@ TEST(BmpMasks, OfOtherNumbersOfBitsAreMadeBytes)
         EXPECT_THROW(decode_bmp(std::as_bytes(std::span(wrong)), "memory"), InputError);
     }
     EXPECT_TRUE(holds(refusal(decode_bmp, masked_bmp(0xff, 0x1ff, 0xff0000, 40)), "masks overlap"));
-    EXPECT_TRUE(holds(refusal(decode_bmp, file + file), "follow the picture"));
+    EXPECT_TRUE(holds(refusal(decode_bmp, file + file), "does not end where its picture ends"));
 }
 
 TEST(Pnm, IsReadAsTextAndBytes)

@@ -21,6 +21,8 @@
 namespace mandelmarch::explore {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::uint64_t spare_memory = 256ULL << 20;  // bytes that a picture must leave free
 
 std::string lower(std::string text)
@@ -75,7 +77,7 @@ std::string free_name(const std::string& folder, const std::string& stem)
     for (int number = 1;; ++number) {
         std::string name = fmt::format("{}{}{}-{:03}", folder, folder.empty() ? "" : "/", stem, number);
         const std::array endings{".dat", ".png", ".json", ".mp4"};
-        if (std::ranges::none_of(endings, [&](auto ending) { return std::filesystem::exists(name + ending); }))
+        if (std::ranges::none_of(endings, [&](auto ending) { return fs::exists(fs::symlink_status(name + ending)); }))
             return name;
     }
 }
