@@ -31,8 +31,7 @@ nlohmann::ordered_json look_in(const Picture& picture)
     return picture.look->values->numbers;
 }
 
-// Returns the file of this program. Where /proc is missing, its name at the start, relative to the folder at the start,
-// which programs do not leave.
+// Returns the file of this program; if /proc is missing, the name that it was started by.
 const char* program_file()
 {
     constexpr const char* linked = "/proc/self/exe";
