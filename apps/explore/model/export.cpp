@@ -96,10 +96,14 @@ std::size_t append_place(const std::string& file, const Scene& scene)
         text = text_of_file(file, "places file");
         if (!text.ends_with('\n')) text += '\n';
     }
-    text += place_line(scene.eye, scene.target) + "\n";
-    const std::size_t count = places_from_text(text, file).all.size();
+    const std::string line = place_line(scene.eye, scene.target);
+    text += line + "\n";
+    const Places places = places_from_text(text, file);
+    if (place_line(places.all.back().eye, places.all.back().target) != line) {
+        throw InputError(fmt::format("{}: columns in another order, expected {}", file, places_header));
+    }
     write_file(file, text);
-    return count;
+    return places.all.size();
 }
 
 Scene read_view(const std::string& file, const Fractal& hint)
