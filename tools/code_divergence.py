@@ -103,7 +103,7 @@ def convergence(coverages):
 
 
 def result_of(coverages):
-    """Returns the content of the JSON file, which follows bench/schemas/code_divergence.schema.json."""
+    """Returns the content of the JSON file."""
     copied = [{f"{backend}:{name}" if name.startswith(KERNEL) else name: lines for name, lines in coverage.items()}
               for backend, coverage in coverages.items()]
     models = [{"backend": backend, "lines": count(coverage, BACKENDS), "lines_of_job": count(coverage, JOB),

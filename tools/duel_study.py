@@ -24,8 +24,7 @@ def duel(folder, old, new, clock):
                          capture_output=True, text=True, check=False)
     if run.returncode not in (0, 1):
         sys.exit(f"duel_study: {(run.stderr.strip().splitlines() or ['bench duel failed'])[-1]}")
-    with open(target, encoding="utf-8") as file:
-        data = json.load(file)
+    data = json.loads(subprocess.check_output([f"./{old}", "json", target], cwd=folder))
     return {row["name"]: (row["verdict"], row["ratio"]) for row in data["verdicts"]}, data["new"]["environment"]
 
 

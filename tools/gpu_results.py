@@ -8,6 +8,7 @@ import json
 import os
 import re
 import shutil
+import statistics
 import sys
 import tarfile
 import tempfile
@@ -65,7 +66,7 @@ def rows_of(folder):
             rows = json.loads(text_of(path))["rows"]
         except (ValueError, KeyError):
             continue
-        yield from (row for row in rows if row["figures"] and row["verification"]["passed"])
+        yield from (row for row in rows if row["samples"] and row["verification"]["passed"])
 
 
 def times(folder, device):
@@ -75,7 +76,7 @@ def times(folder, device):
     sizes, counts, cells = set(), set(), {}
     for row in rows_of(folder):
         kind = row["fractal"], row["precision"], row["mode"]
-        milliseconds = 1000 * row["figures"]["kernel_seconds"]["median"]
+        milliseconds = 1000 * statistics.median(sample["kernel"] for sample in row["samples"])
         low, high = expected.get((row["backend"], *kind), (None, None))
         beside = "" if low is None else f" ({low:.3g} to {high:.3g})"
         cells.setdefault(kind, {})[row["backend"]] = f"{milliseconds:.4g}{beside}"

@@ -5,14 +5,22 @@ from __future__ import annotations
 
 import copy
 import json
+import shutil
 from pathlib import Path
 from typing import Any
 
-STORED = Path(__file__).parents[2] / "report" / "results"
+import made_programs
+
+from mandelreport.files import PROGRAMS, Files
+from mandelreport.results import Results, read_results
+
+ROOT = Path(__file__).parents[2]
+# The folder of the stored results and that of the tested programs.
+STORED = Files(ROOT / "report" / "results", Path(shutil.which("bench") or PROGRAMS / "bench").parent)
 
 
 def stored(name: str) -> Any:
-    return json.loads((STORED / name).read_text(encoding="utf-8"))
+    return STORED.json(name.removesuffix(".json"))
 
 
 BENCH = stored("bench.json")
@@ -98,8 +106,7 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
         "git": {"revision": "0123456789abcdef", "dirty": False},
         "backends": [backend for backend in environment["backends"] if backend["name"] == "openmp"],
     }
-    del environment["cpu"]["platform"]
-    environment["cpu"]["model"] = "Processor"
+    environment["cpu"]["platform"] = environment["cpu"]["model"] = "Processor"
     stages = ("begin", "march", "normal", "shade", "output", "one go") if study == "profile" else ()
     stage = {"fractal": "mandelbulb", "precision": "double", "mode": "exact", "seconds": [0.1, 0.2, 0.3]}
     application = next(entry for entry in BENCH["portability"] if entry["application"] == "openmp")
@@ -155,6 +162,11 @@ def write(folder: Path, files: dict[str, Any]) -> Path:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(data if isinstance(data, str) else json.dumps(data), encoding="utf-8")
     return folder
+
+
+def read(folder: Path, files: dict[str, Any]) -> Results:
+    """Writes the files into the folder and reads them. They have their figures already; a fake bench prints them."""
+    return read_results(write(folder, files), made_programs.programs(folder.with_name("fake_programs")))
 
 
 def random_scenes() -> dict[str, Any]:

@@ -44,7 +44,7 @@ class PartsTest(unittest.TestCase):
         def of(cores: int) -> dict[str, object]:
             data = made.sweep("threads", "threads", ["1", "2", "4", "8"])
             data["environment"]["cpu"]["cores_usable"] = cores
-            results = read_results(made.write(self.folder / f"results{cores}", {"threads.json": data}))
+            results = made.read(self.folder / f"results{cores}", {"threads.json": data})
             return parallel.section(Material(results, Studio(self.folder, Cache(self.folder)), self.folder))
 
         self.assertEqual(of(2)["threads"], [])
@@ -104,7 +104,7 @@ class PartsTest(unittest.TestCase):
     def test_machines_are_compared_at_one_size(self) -> None:
         def of(machine: str, runs: int, side: int) -> dict[str, object]:
             data = made.bench() | {"runs": runs}
-            data["environment"]["cpu"]["model"] = machine
+            data["environment"]["cpu"]["platform"] = machine
             for row in data["rows"]:
                 row["setting"] |= {"width": side, "height": side}
             return data
@@ -112,7 +112,7 @@ class PartsTest(unittest.TestCase):
         files = {"a.json": of("one", 1, 540), "b.json": of("one", 3, 540), "c.json": of("one", 5, 1080), "d.json": of("two", 1, 540)}
         files["e.json"] = of("three", 9, 540)
         files["e.json"]["rows"] = [row for row in files["e.json"]["rows"] if row["backend"] == "openmp"]  # incomplete
-        found = read_results(made.write(self.folder / "results", files))
+        found = made.read(self.folder / "results", files)
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "d.json"])
         self.assertEqual(found.primary().name, "c.json")
 
@@ -125,8 +125,8 @@ class PartsTest(unittest.TestCase):
             return data
 
         def machines(*files: dict[str, object]) -> list[str]:
-            folder = made.write(self.folder / "results", {f"{n}.json": data for n, data in enumerate(files)})
-            return [bench.machine.rpartition(", ")[2] for bench in read_results(folder).benches]
+            found = made.read(self.folder / "results", {f"{n}.json": data for n, data in enumerate(files)})
+            return [bench.machine.rpartition(", ")[2] for bench in found.benches]
 
         header = (ROOT / "bench" / "judge" / "platforms.h").read_text(encoding="utf-8")
         self.assertIn(f"same_peak = {SAME_PEAK};", header)
@@ -136,7 +136,7 @@ class PartsTest(unittest.TestCase):
     def test_a_machine_without_some_backends_is_compared(self) -> None:
         def of(machine: str, side: int, *more: str) -> dict[str, object]:
             data = made.bench()
-            data["environment"]["cpu"]["model"] = machine
+            data["environment"]["cpu"]["platform"] = machine
             rows = data["rows"]
             data["rows"] = [row | {"backend": backend, "application": backend} for backend in ("openmp", "opencl", "vulkan", *more) for row in rows[:4]]
             for row in data["rows"]:
@@ -144,7 +144,7 @@ class PartsTest(unittest.TestCase):
             return data
 
         files = {"a.json": of("one", 540, "kokkos", "stdpar"), "b.json": of("one", 1080), "c.json": of("two", 1080, "openacc")}
-        found = read_results(made.write(self.folder / "results", files))
+        found = made.read(self.folder / "results", files)
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "c.json"])
         self.assertEqual(found.primary().name, "a.json")
 
@@ -157,7 +157,7 @@ class PartsTest(unittest.TestCase):
         row["setting"] |= {"width": 1920, "height": 1080}
         row["figures"]["kernel_seconds"] |= {"median": 0.0008, "interval": None}
         files["bench.json"] = data
-        results = read_results(made.write(self.folder / "results", files))
+        results = made.read(self.folder / "results", files)
         found = gpu.section(SimpleNamespace(results=results, backends=results.backends()))["tables"]
         self.assertEqual([table.caption.partition(":")[0] for table in found], ["K40", "H100"])
         self.assertNotIn("measured ms", found[0].headers)
@@ -166,7 +166,7 @@ class PartsTest(unittest.TestCase):
     def test_texts_are_known_by_their_first_line(self) -> None:
         files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n", "c.txt": "loop mix: y\n"}
         files |= {"d.txt": "K40 on paper, x\n", "e.txt": "ptxas 11.8, y\n"}
-        found = read_results(made.write(self.folder / "results", files))
+        found = made.read(self.folder / "results", files)
         self.assertEqual(found.flight_studies, ["flight study: x\n"])
         self.assertEqual(found.loop_mix, "loop mix: y\n")
         self.assertEqual(found.k40, "K40 on paper, x\n\nptxas 11.8, y\n")
