@@ -77,9 +77,9 @@ bundle: ## a folder and a .tar.xz that run without installation: build/bundle (4
 
 # docs/bench.md explains the study.
 RUNS ?= 3
-bench: build ## the standard study in three processes, one after the other: report/results/bench.json (8 min)
-	@mkdir -p report/results
-	@bin/bench --backend all --runs $(RUNS) --json report/results/bench.json --csv report/results/bench.csv
+bench: build ## the standard study in three processes, one after the other: results/bench.json (8 min)
+	@mkdir -p results
+	@bin/bench --backend all --runs $(RUNS) --json results/bench.json --csv results/bench.csv
 
 march-native: ## bench as a user may build it, with -march=native, by g++ and clang++ (20 min, estimated)
 	@tools/build march-native bench
@@ -124,24 +124,16 @@ video-preview: flythrough ## ten seconds from the middle of a four-minute film, 
 
 contact-sheet: ## frames of video.mp4, its summary and its audit, for the report (10 s, estimated)
 	ffmpeg -v error -y -ss 2 -i video.mp4 -vf "select='isnan(prev_selected_t)+gte(t-prev_selected_t\,10)',scale=320:-2,tile=5x5" \
-	    -frames:v 1 report/results/contact.jpg
-	cp video-summary.json report/results/film.json
-	cp video-audit.json report/results/flight_bulb.json
+	    -frames:v 1 results/contact.jpg
+	cp video-summary.json results/film.json
+	cp video-audit.json results/flight_bulb.json
 
 gallery: build ## the pictures of docs/gallery.md and README, and the path of the demo's film (10 min, estimated)
 	@tools/gallery bin docs/pictures
 
-# Measures how often bench duel is right on this machine, idle and with LOAD busy processes. The programs that it
-# compares are test programs.
-LOAD ?= 2
-duel-study: ## 120 duels, half of equal programs and half with one 3 % slower, for docs/method.md (20 min)
-	@tools/build $(PRESET) bench_slowed
-	@python3 tools/duel_study.py $(BUILD)/bin/bench_slowed --load $(LOAD) --table report/results/duel_study.txt
-
-# Writes tables of paths and audits, of the gain and cost of anti-aliasing, and of the cost of a segment.
 SEEDS ?= 10
 flight-study: build ## plan and audit SEEDS=10 flights through both fractals, for docs/flight.md (an hour, estimated)
-	@python3 tools/flight_study.py bin report/results --seeds $(SEEDS)
+	@python3 tools/flight_study.py bin results --seeds $(SEEDS)
 
 kill-test: flythrough ## check that a film killed at twenty random moments resumes unchanged (10 min, estimated)
 	@bash tests/cases.sh tests/flight/plans_test.sh killed $(CURDIR)/bin $(CURDIR) 20
@@ -155,26 +147,19 @@ fuzz: ## run each fuzzer of the file readers for SECONDS=600 (half an hour)
 compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin
 
-lint: ## check the format of sources, licence lines, links and figures of pages (10 s)
+lint: ## check the format of sources, licence lines, and links of pages (10 s)
 	@tools/lint
 
 tidy: ## clang-tidy on every source (over 10 min)
 	@tools/lint tidy
 
-k40: build python ## registers of the OpenACC kernels, and expected frame times, on the Tesla K40 and the H100 (3 min)
-	@tools/python_packages gpu_packages
-	@python3 tools/k40.py bin/render --table report/results/k40_ptxas.txt
-	@for gpu in K40 H100; do build/venv/bin/python tools/gpu_expected.py bin report/results/box-vs-bulb.json report/results/closeup_fast.json \
-	    --gpu $$gpu --table report/results/$$(echo $$gpu | tr A-Z a-z)_expected.txt || exit 1; done
+results-page: python ## write docs/results.md and the figures of README from results (3 s)
+	@tools/build $(HERE) bench
+	@$(call take,$(HERE),bench)
+	@PYTHONPATH=report build/venv/bin/python -m mandelreport.results_page
 
-loop-mix: build ## instructions in openmp's estimator loops, and their share of the multiply-add peak (20 s, estimated)
-	@python3 tools/loop_mix.py $(BUILD)/backends/openmp/CMakeFiles/mandelmarch_openmp.dir --table report/results/loop_mix.txt
-
-docs-figures: ## update the figures in README and docs from report/results (1 s)
-	@python3 tools/figures.py README.md docs/*.md
-
-RESULTS ?= report/results
-report: python ## a report on report/results, with new pictures: report/out/report.html (2 min, estimated)
+RESULTS ?= results
+report: python ## a report on results/, with new pictures: report/out/report.html (2 min, estimated)
 	@tools/setup report
 	@tools/build $(HERE) bench render imgdiff
 	@$(call take,$(HERE),bench render imgdiff)
@@ -198,15 +183,15 @@ gpu-hashes: build ## hashes of exact pictures, from the CPU, for gpu_check (10 s
 	@packaging/gpu_check --hashes bin build/gpu-hashes >packaging/gpu_check.sha256.part && mv packaging/gpu_check.sha256.part packaging/gpu_check.sha256
 
 FILE ?= results.tgz
-gpu-results: ## unpack FILE=results.tgz from a GPU into report/results/DEVICE, with a summary page (at once)
-	@python3 tools/gpu_results.py $(FILE) report/results
+gpu-results: ## unpack FILE=results.tgz from a GPU into results/DEVICE, with a summary page (at once)
+	@python3 tools/gpu_results.py $(FILE) results
 
 # STEPS="bands film" repeats these steps. MANDELMARCH_REHEARSAL=1 treats any device as a GPU and puts results into
 # build.
 STEPS ?=
-gpu-hour: build ## gpu-quarter's and longer steps, on this machine; resumes if interrupted: report/results/DEVICE (an hour)
+gpu-hour: build ## gpu-quarter's and longer steps, on this machine; resumes if interrupted: results/DEVICE (an hour)
 	@packaging/gpu_check --hour --work build/gpu-hour bin build/gpu-hour $(STEPS); code=$$?; \
-	    python3 tools/gpu_results.py build/gpu-hour/results.tgz $(if $(MANDELMARCH_REHEARSAL),build,report/results) && exit $$code
+	    python3 tools/gpu_results.py build/gpu-hour/results.tgz $(if $(MANDELMARCH_REHEARSAL),build,results) && exit $$code
 
 install: build ## programs, libraries and headers into PREFIX=/usr/local (10 s, estimated)
 	cmake --install $(BUILD) --prefix $(PREFIX)

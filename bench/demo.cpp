@@ -48,8 +48,18 @@ public:
         const std::string file =
             fmt::format("{}-{}{}-{}-{}.png", row.fractal, row.backend, row.setting.simd_width == 1 ? "-1" : "",
                         name_of(row.precision), name_of(row.mode));
-        write_image(fmt::format("{}/{}", path_, file), ImageFormat::png, image);
-        pictures_[row.name()] = file;
+        try {
+            write_image(fmt::format("{}/{}", path_, file), ImageFormat::png, image);
+            pictures_[row.name()] = file;
+        } catch (const Error& error) {
+            fault_ = error.what();
+        }
+    }
+
+    // Throws Error if a picture could not be written, with the last picture's message.
+    void check() const
+    {
+        if (!fault_.empty()) throw Error(fault_);
     }
 
     void write_table(const Result& result, int side) const
@@ -89,6 +99,7 @@ public:
 private:
     std::string path_;
     std::map<std::string, std::string> pictures_;  // file names, by the names of configurations
+    std::string fault_;                            // empty: every picture was written
 };
 
 int body(int argc, char** argv)
@@ -125,6 +136,7 @@ int body(int argc, char** argv)
     result = derived(std::move(result));
     print(std::string_view(demo_table(result)));
     folder.write_table(result, side);
+    folder.check();
     return result.failed() ? exit_failure : exit_success;
 }
 

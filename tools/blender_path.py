@@ -13,7 +13,12 @@ Axes are not converted: if y is up in the path, y is up in Blender, too. Blender
 -z axis, and the camera's y axis points to the picture's top. A field_of_view of 1 is a vertical angle of 65 degrees."""
 import json
 import math
+import os
 import sys
+from pathlib import Path
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report"))
+from mandelreport.errors import InputError, one_line, read_json, reading, write_whole
 
 DEGREES_PER_FIELD = 65.0  # core/scene/scene.h
 PLACES_HEADER = "location_x,location_y,location_z,look_at_x,look_at_y,look_at_z,second,stay"  # flight/path/places.h
@@ -97,17 +102,22 @@ def main(arguments):
     if [len(arguments), *arguments[:1]] not in ([2, "load"], [3, "save"], [2, "places"]):
         sys.exit(__doc__)
     if arguments[0] == "places":
-        with open(arguments[1], "w", encoding="utf-8") as file:
-            file.write(places(bpy))
+        write_whole(Path(arguments[1]), places(bpy).encode())
         return
-    with open(arguments[1], encoding="utf-8") as file:
-        path = json.load(file)
+    path = read_json(Path(arguments[1]), "a path file")
+    with reading(arguments[1], "a path file"):
+        if not [(matrix_of(frame), math.radians(frame["field_of_view"])) for frame in path["frames"]]:
+            raise ValueError("has no frames")
     if arguments[0] == "load":
         load(bpy, mathutils, path)
+    elif os.path.exists(arguments[2]) and os.path.samefile(arguments[1], arguments[2]):
+        raise InputError(f"{arguments[2]}: the path file itself, expected another file")
     else:
-        with open(arguments[2], "w", encoding="utf-8") as file:
-            json.dump(save(bpy, path), file)
+        write_whole(Path(arguments[2]), json.dumps(save(bpy, path)).encode())
 
 
 if __name__ == "__main__":
-    main(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
+    try:
+        main(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
+    except (InputError, OSError) as failure:  # otherwise Blender's window remains open
+        sys.exit(f"blender_path: {one_line(failure)}")

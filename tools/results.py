@@ -7,17 +7,20 @@ WORK/REVISION, and the same command resumes. Copies the results to --output when
 it never holds results of two revisions.
 Exit codes: 0 complete, 1 a command failed, 2 programs or sources are not from one clean revision, 130 stopped."""
 import argparse
-import json
 import os
 import shlex
 import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+from pathlib import Path
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, "..")
+sys.path.insert(0, os.path.join(ROOT, "report"))
+from mandelreport.errors import InputError, one_line, read_json, reading
 
 
 class Entry:
@@ -38,22 +41,21 @@ class Entry:
     def measure(self, programs, target):
         """Runs the command, which writes the file `target` completely or not at all. Returns 0 for success, otherwise
         the command's exit code, or another code if the result is missing or was measured with uncommitted sources."""
-        part = target + ".part" + os.path.splitext(target)[1]
         program = os.path.join(ROOT if "/" in self.command[0] else programs, self.command[0])
-        command = [program, *(part if word == "{}" else word.replace("{folder}", os.path.dirname(target))
-                              for word in self.command[1:])]
-        with open(part if "{}" not in self.command else os.devnull, "w", encoding="utf-8") as output:
-            code = code_of(command, output, self.variables)
-        code = 0 if code in self.answers else code
-        if code == 0 and not os.path.exists(part):
-            code = 1
-        elif code == 0 and of_uncommitted_sources(part):
-            code = fail(f"{self.name}: a program of uncommitted sources wrote it: make build")
-        if code == 0:
-            os.replace(part, target)
-        elif os.path.exists(part):
-            os.remove(part)
-        return code
+        with tempfile.TemporaryDirectory(dir=os.path.dirname(target)) as scratch:
+            part = os.path.join(scratch, os.path.basename(target))
+            command = [program, *(part if word == "{}" else word.replace("{folder}", os.path.dirname(target))
+                                  for word in self.command[1:])]
+            with open(part if "{}" not in self.command else os.devnull, "w", encoding="utf-8") as output:
+                code = code_of(command, output, self.variables)
+            code = 0 if code in self.answers else code
+            if code == 0 and not os.path.exists(part):
+                code = 1
+            elif code == 0 and of_uncommitted_sources(part):
+                code = fail(f"{self.name}: a program of uncommitted sources wrote it: make build")
+            if code == 0:
+                os.replace(part, target)
+            return code
 
 
 STOPS = {signal.SIGINT, signal.SIGTERM}
@@ -78,10 +80,10 @@ def of_uncommitted_sources(path):
     """Returns true if a result of bench records uncommitted sources."""
     if not path.endswith(".json"):
         return False
-    with open(path, encoding="utf-8") as file:
-        data = json.load(file)
-    sides = (data, data.get("old", {}), data.get("new", {}))  # a duel has two programs
-    return any(side.get("environment", {}).get("git", {}).get("dirty", False) for side in sides)
+    data = read_json(Path(path), "a result in JSON")
+    with reading(path, "a result of bench"):
+        sides = (data, data.get("old", {}), data.get("new", {}))  # a duel has two programs
+        return any(side.get("environment", {}).get("git", {}).get("dirty", False) for side in sides)
 
 
 def fail(message, code=1):
@@ -98,7 +100,7 @@ def clean_revision(sources, program):
     """Returns the revision of the sources if they are committed and `program` was built from them. Otherwise prints a
     line and returns None."""
     revision = git(sources, "rev-parse", "HEAD")
-    if not revision or git(sources, "status", "--porcelain", "--untracked-files=no", "--", ".", ":(exclude)report/results"):
+    if not revision or git(sources, "status", "--porcelain", "--untracked-files=no", "--", ".", ":(exclude)results"):
         fail("the sources differ from the revision: commit first, as one result after the other must be of the same sources")
         return None
     try:
@@ -117,7 +119,7 @@ def main():
     parser.add_argument("--list", default=os.path.join(HERE, "results.txt"))
     parser.add_argument("--programs", default=os.path.join(ROOT, "bin"))
     parser.add_argument("--work", default=os.path.join(ROOT, "build", "results"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "report", "results"))
+    parser.add_argument("--output", default=os.path.join(ROOT, "results"))
     parser.add_argument("--sources", default=ROOT, help="the repository (default: this one)")
     parser.add_argument("file", nargs="*")
     arguments = parser.parse_args()
@@ -148,11 +150,12 @@ def main():
             return fail(f"{entry.name}: {' '.join(entry.command)}: exit code {code}; what was measured before stays in {folder}")
         fail(f"{entry.name} took {(time.monotonic() - begin) / 60:.1f} minutes; about "
              f"{sum(other.minutes for other in left[number + 1:]):.0f} are left")
-    for entry in entries:
-        shutil.copy(os.path.join(folder, entry.name), os.path.join(arguments.output, entry.name + ".part"))
-    for entry in entries:
-        os.replace(os.path.join(arguments.output, entry.name + ".part"), os.path.join(arguments.output, entry.name))
-    return fail(f"{len(entries)} files in {arguments.output}: make docs-figures report", 0)
+    with tempfile.TemporaryDirectory(dir=arguments.output) as scratch:
+        for entry in entries:
+            shutil.copy(os.path.join(folder, entry.name), scratch)
+        for entry in entries:
+            os.replace(os.path.join(scratch, entry.name), os.path.realpath(os.path.join(arguments.output, entry.name)))
+    return fail(f"{len(entries)} files in {arguments.output}: make results-page report", 0)
 
 
 if __name__ == "__main__":
@@ -161,3 +164,5 @@ if __name__ == "__main__":
         sys.exit(main())
     except KeyboardInterrupt:
         sys.exit(fail("stopped; the same command goes on", 130))
+    except (InputError, OSError) as failure:
+        sys.exit(fail(one_line(failure)))

@@ -23,7 +23,7 @@ void refuse_kept_result(const std::string& path, const std::string& results, boo
     const fs::path folder = fs::weakly_canonical(results, error);
     const fs::path file = fs::weakly_canonical(end_of_links(path), error);
     if (error || std::ranges::mismatch(folder, file).in1 != folder.end()) return;
-    throw InputError(path + ": bench was built of sources that no commit has, expected a file outside report/results");
+    throw InputError(path + ": bench was built of sources that no commit has, expected a file outside results/");
 }
 
 void Outputs::add(std::string option, std::string path, std::function<std::string()> text)

@@ -143,7 +143,7 @@ constexpr Kind kinds[] = {
     kind_of<RandomResult>("random", "Fast pictures of random scenes",
                           "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 "
                           "from the canonical picture.",
-                          [](RandomResult result) { return result; }),
+                          [](RandomResult result) { return summed(std::move(result)); }),
     {"equivalence", format_of<EquivalenceResult>, "An equivalence test", "Written by `bench equivalence --json`.",
      record_schema<EquivalenceResult>, [](const Json& json, const std::string& /*file*/) { return json; }},
     {"portability",

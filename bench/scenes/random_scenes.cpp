@@ -11,6 +11,7 @@
 #include "bench/base/table.h"
 #include "bench/machine/environment.h"
 #include "core/base/error.h"
+#include "core/render/agreement.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/scene/random_scene.h"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int picture_width = 61;  // pixels
 constexpr int picture_height = 45;
+constexpr std::uint64_t picture_pixels = picture_width * picture_height;
 constexpr Precision tested_precisions[] = {Precision::f64, Precision::f32};
 
 struct DrawnScene {
@@ -79,31 +81,9 @@ double share(std::uint64_t part, std::uint64_t whole)
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-}  // namespace
-
-void RandomSum::add(const RandomRow& row, std::uint64_t pixels_of_row)
-{
-    pixels += pixels_of_row;
-    visibly_differing += row.off;
-    hit_or_miss += row.hit_or_miss;
-    const double part = share(row.off, pixels_of_row);
-    worst = std::max(worst, part);
-    if (part > most_off) {
-        ++far_off;
-        if (row.exact_off_percent > 100 * most_off) ++short_of_digits;
-    }
-    ++scenes;
-}
-
-double RandomSum::off() const { return share(visibly_differing, pixels); }
-double RandomSum::wrong_hits() const { return share(hit_or_miss, pixels); }
-
-bool RandomSum::passed() const { return off() <= most_off && wrong_hits() <= most_wrong_hits; }
-
-std::vector<RandomSums> RandomResult::sums() const
+std::vector<RandomSums> sums_of(const std::vector<RandomRow>& rows, std::uint64_t pixels)
 {
     std::vector<RandomSums> all;
-    const std::uint64_t pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     for (const RandomRow& row : rows) {
         auto found = std::ranges::find_if(
             all, [&](const RandomSums& one) { return one.fractal == row.fractal && one.precision == row.precision; });
@@ -118,11 +98,94 @@ std::vector<RandomSums> RandomResult::sums() const
     return all;
 }
 
+bool passed(const RandomSums& sums)
+{
+    return std::ranges::all_of(sums.sets, [](const auto& set) { return set.second.passed(); });
+}
+
+// Returns the row of a scene whose picture differs from the canonical picture by `off`.
+RandomRow row_of(const DrawnScene& one, const Scene& scene, Precision precision, const Comparison& off)
+{
+    return {.fractal = std::string(scene.fractal->short_name),
+            .precision = precision,
+            .set = one.set,
+            .number = one.number,
+            .off = off.visibly_differing,
+            .hit_or_miss = off.hit_or_miss,
+            .scene = scene};
+}
+
+// Returns RandomSums::holding_step_factor. `drawn` renders a scene.
+template <class Drawn>
+double holding_step_factor(const RandomSums& sums, const std::vector<DrawnScene>& scenes, const Drawn& drawn)
+{
+    for (const double step_factor : {0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}) {
+        std::vector<RandomRow> rows;
+        for (const DrawnScene& one : scenes) {
+            if (one.scene.fractal->short_name != sums.fractal) continue;
+            Scene scene = one.scene;
+            scene.limits.step_factor = step_factor;
+            const Comparison off = compare(one.canonical, drawn(scene, sums.precision, Mode::fast));
+            rows.push_back(row_of(one, scene, sums.precision, off));
+        }
+        if (passed(sums_of(rows, picture_pixels).front())) return step_factor;
+    }
+    return 0;
+}
+
+// Returns a line for each set that exceeds a limit, and one for the step factor that holds.
+std::string missed(const RandomSums& sums)
+{
+    const std::string name = fmt::format("{} {}", sums.fractal, name_of(sums.precision));
+    std::string text;
+    for (const auto& [seed, set] : sums.sets) {
+        if (set.passed()) continue;
+        text += fmt::format(
+            "{}, set {}: {:.2f} % off (limit {:.0f} %), {:.3f} % hit or miss wrong (limit {:.2f} %); worst: {}\n", name,
+            seed, 100 * set.off(), 100 * most_off, 100 * set.wrong_hits(), 100 * most_wrong_hits,
+            render_command(set.worst_scene, {.precision = sums.precision, .mode = Mode::fast}));
+    }
+    if (text.empty()) return text;
+    if (sums.holding_step_factor == 0) return text + name + ": no step factor from 0.8 to 0.1 holds the limits\n";
+    return text + fmt::format("{}: a step factor of {} holds the limits\n", name, sums.holding_step_factor);
+}
+
+}  // namespace
+
+void RandomSum::add(const RandomRow& row, std::uint64_t pixels_of_row)
+{
+    pixels += pixels_of_row;
+    visibly_differing += row.off;
+    hit_or_miss += row.hit_or_miss;
+    const double part = share(row.off, pixels_of_row);
+    worst = std::max(worst, part);
+    const double load = std::max(part / most_off, share(row.hit_or_miss, pixels_of_row) / most_wrong_hits);
+    if (load >= worst_load) {
+        worst_load = load;
+        worst_scene = row.scene;
+    }
+    if (part > most_off) {
+        ++far_off;
+        if (row.exact_off_percent > 100 * most_off) ++short_of_digits;
+    }
+    ++scenes;
+}
+
+double RandomSum::off() const { return share(visibly_differing, pixels); }
+double RandomSum::wrong_hits() const { return share(hit_or_miss, pixels); }
+
+bool RandomSum::passed() const { return off() <= most_off && wrong_hits() <= most_wrong_hits; }
+
+RandomResult summed(RandomResult result)
+{
+    result.sums =
+        sums_of(result.rows, static_cast<std::uint64_t>(result.width) * static_cast<std::uint64_t>(result.height));
+    return result;
+}
+
 bool RandomResult::passed() const
 {
-    return std::ranges::all_of(sums(), [](const RandomSums& one) {
-        return std::ranges::all_of(one.sets, [](const auto& set) { return set.second.passed(); });
-    });
+    return std::ranges::all_of(sums, [](const RandomSums& one) { return bench::passed(one); });
 }
 
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
@@ -136,12 +199,13 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
         throw Unavailable(fmt::format("backend {}: {}", backend->name(), *why));
     }
     const Techniques techniques = techniques_without(options.without);
-    RandomResult result{.backend = backend->name(),
+    RandomResult result{.backend = std::string(backend->name()),
                         .without = options.without,
                         .width = picture_width,
                         .height = picture_height,
                         .environment = environment(registry),
-                        .rows = {}};
+                        .rows = {},
+                        .sums = {}};
     std::vector<DrawnScene> scenes = scenes_of(options);
     draw_canonical(registry, scenes, progress);
     std::unique_ptr<Renderer> renderers[2][2];
@@ -159,13 +223,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
     for (const Precision precision : tested_precisions) {
         for (const DrawnScene& one : scenes) {
             const Comparison off = compare(one.canonical, drawn(one.scene, precision, Mode::fast));
-            RandomRow& row = result.rows.emplace_back();
-            row = {.fractal = std::string(one.scene.fractal->short_name),
-                   .precision = precision,
-                   .set = one.set,
-                   .number = one.number,
-                   .off = off.visibly_differing,
-                   .hit_or_miss = off.hit_or_miss};
+            RandomRow& row = result.rows.emplace_back(row_of(one, one.scene, precision, off));
             if (precision == Precision::f32 && share(off.visibly_differing, off.pixels) > most_off) {
                 const Comparison exact = compare(drawn(one.scene, Precision::f64, Mode::exact),
                                                  drawn(one.scene, Precision::f32, Mode::exact));
@@ -173,12 +231,16 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
             }
         }
     }
+    result = summed(std::move(result));
+    for (RandomSums& sums : result.sums) {
+        if (!bench::passed(sums)) sums.holding_step_factor = holding_step_factor(sums, scenes, drawn);
+    }
     return result;
 }
 
 std::string to_console(const RandomResult& result)
 {
-    const std::vector<RandomSums> all = result.sums();
+    const std::vector<RandomSums>& all = result.sums;
     const int sets = static_cast<int>(all.front().sets.size());
     std::string text = fmt::format(
         "Fast mode by {}{} against canonical pictures: {} random scenes a fractal in each of {} sets, "
@@ -200,6 +262,7 @@ std::string to_console(const RandomResult& result)
                             fmt::format("{} of {}", sums.all.far_off, sums.all.scenes), sums.all.short_of_digits,
                             100 * sums.all.worst);
     }
+    for (const RandomSums& sums : result.sums) text += missed(sums);
     return text + fmt::format(
                       "off: by more than 2 of 255; short of digits: those of the scenes over {0:.0f} % in which exact "
                       "mode's float\npicture, too, is over {0:.0f} % off its double picture; limits of every set, "

@@ -10,6 +10,7 @@
 
 #include "bench/study/options.h"
 #include "core/render/registry.h"
+#include "core/scene/scene.h"
 
 namespace mandelmarch::bench {
 
@@ -32,6 +33,7 @@ struct RandomRow {
     // If a float picture differs visibly in more than most_off of its pixels: the percentage of pixels in which exact
     // mode's float picture of the scene differs visibly from exact mode's double picture. Else 0.
     double exact_off_percent = 0;
+    Scene scene{};  // not stored
 };
 
 // Sum over the scenes of one set, or of all sets, of one fractal in one precision.
@@ -41,6 +43,8 @@ struct RandomSum {
     int far_off = 0;          // scenes in which more than most_off of the pixels differ visibly
     int short_of_digits = 0;  // far_off scenes whose exact_off_percent is also too high: the precision is too low
     double worst = 0;         // largest fraction of visibly differing pixels in one scene
+    double worst_load = 0;    // largest multiple of a limit in one scene, and this scene
+    Scene worst_scene{};
 
     void add(const RandomRow& row, std::uint64_t pixels_of_row);
     double off() const;         // fraction of the pixels that differ visibly
@@ -54,6 +58,8 @@ struct RandomSums {
     Precision precision = Precision::f64;
     RandomSum all;
     std::map<std::string, RandomSum> sets;
+    // If a set exceeds a limit: the largest step factor with which no set does; 0: no factor of those tried.
+    double holding_step_factor = 0;
 };
 
 // Limits for fast mode in each set.
@@ -66,9 +72,12 @@ struct RandomResult {
     nlohmann::ordered_json environment;
     std::vector<RandomRow> rows;  // ordered by precision, fractal, set
 
-    std::vector<RandomSums> sums() const;  // in the order of the fractals
-    bool passed() const;                   // true if every set meets both limits
+    std::vector<RandomSums> sums;  // set by summed()
+    bool passed() const;           // true if every set meets both limits
 };
+
+// Sets the sums, in the order of the fractals.
+RandomResult summed(RandomResult result);
 
 // Renders each scene of every set at 61 x 45 pixels: the canonical picture, and the backend's picture in fast mode in
 // both precisions. The backend `reference` renders the canonical picture; if it does not support the scene, openmp's
@@ -80,7 +89,8 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
 // Returns what a file holds.
 nlohmann::ordered_json facts_of(const RandomResult& result);
 
-// Returns a table with a line for each fractal and precision.
+// Returns a table with a line for each fractal and precision, and for each set that exceeds a limit its shares, the
+// command that renders its worst scene, and the step factor that holds.
 std::string to_console(const RandomResult& result);
 
 }  // namespace mandelmarch::bench

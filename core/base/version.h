@@ -9,7 +9,7 @@ namespace mandelmarch {
 
 std::string_view project_version();  // "0.1.0"
 std::string_view source_revision();  // full hash of git; "unknown" outside a repository
-bool sources_changed();              // true if tracked files outside report/results differ from the revision
+bool sources_changed();              // true if tracked files outside results/ differ from the revision
 
 // Returns the output of --version: "NAME 0.1.0 (REVISION)", or "(REVISION, changed)".
 std::string version_line(std::string_view program);

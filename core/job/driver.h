@@ -87,7 +87,7 @@ double seconds_on_gpu(const Driver& driver, const std::function<void()>& launch,
 int resident_threads(const Driver& driver, int index);
 
 // Returns the number of pixels of a band for a GPU with so many resident threads (0: unknown). At the end of each band
-// most threads wait for the slowest rays, so there are few bands (tools/gpu_schedule.py).
+// most threads wait for the slowest rays, so there are few bands.
 constexpr std::int64_t pixels_of_band(int threads)
 {
     return std::clamp(std::int64_t{128} * threads, fewest_of_gpu, largest_band);

@@ -7,7 +7,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <type_traits>
+
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
 
 namespace mandelmarch {
 namespace {
@@ -87,6 +91,23 @@ Agreement agreement(const Image& expected, const Image& image, Precision precisi
         result.level = Level::perceptual;
     }
     return result;
+}
+
+std::string render_command(const Scene& scene, const RendererOptions& options)
+{
+    std::istringstream file(to_parameters(scene));
+    std::string lines;
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with('#')) lines += line + "\\n";
+    }
+    return fmt::format("bin/render --fractal {} --precision {} --mode {} - <<< $'{}'", scene.fractal->short_name,
+                       name_of(options.precision), name_of(options.mode), lines);
+}
+
+std::string trace_command(const Scene& scene, const RendererOptions& options, std::int64_t pixel)
+{
+    return fmt::format("{} --pixel {},{} --trace", render_command(scene, options), pixel % scene.width,
+                       pixel / scene.width);
 }
 
 std::string summary(const Agreement& agreement)

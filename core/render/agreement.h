@@ -38,6 +38,12 @@ Level level_required(Mode mode);
 // Returns the agreement of `image` with `expected`. Both need values. Throws InputError if their sizes differ.
 Agreement agreement(const Image& expected, const Image& image, Precision precision);
 
+// Returns the command, for bash, that renders the scene. It lacks what parameter files lack, such as crop windows.
+std::string render_command(const Scene& scene, const RendererOptions& options);
+
+// Returns the command that traces a pixel of the scene, given by its index.
+std::string trace_command(const Scene& scene, const RendererOptions& options, std::int64_t pixel);
+
 // Returns "same bits", the largest difference such as "3 ULP", or the visible difference such as "0.125 % off".
 std::string summary(const Agreement& agreement);
 

@@ -51,14 +51,17 @@ std::pair<Image, RenderStats> render_region(Renderer& renderer, const Scene& sce
     std::pair<Image, RenderStats> result;
     auto& [image, report] = result;
     if (!whole_rows) image = Image(region.width, region.height, layers);
+    Scene drawn = scene;
     for (int done = 0; done < region.height; done += rows) {
         const int now = std::min(rows, region.height - done);
         Image strip(scene.width, now, layers, std::pmr::get_default_resource(), region.bottom + done);
-        const RenderStats one = renderer.render(scene, strip, [&](double share) {
+        const RenderStats one = renderer.render(drawn, strip, [&](double share) {
             if (progress) progress((done + share * now) / region.height);
         });
         if (done == 0) {
             report = one;
+            // The trial of the first strip serves all.
+            if (one.step_factor > 0) drawn.limits = {one.step_factor, scene.limits.root_share, true};
         } else {
             add_report(report, one);
         }

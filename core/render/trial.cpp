@@ -27,9 +27,13 @@ public:
 
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
+        if (scene.limits.tried) return renderer_->render(scene, image, progress);
+        // A small picture is a sign of life and can be cancelled, but is no fraction of the picture.
+        const Progress of_trial = progress ? Progress([&](double) { progress(0); }) : Progress();
         Timings spent;
-        const Trial trial = try_steps(
-            scene, [&](const Scene& small, Image& picture) { spent += renderer_->render(small, picture).timings; });
+        const Trial trial = try_steps(scene, [&](const Scene& small, Image& picture) {
+            spent += renderer_->render(small, picture, of_trial).timings;
+        });
         Scene tried = scene;
         tried.limits.step_factor = trial.step_factor;
         RenderStats report = renderer_->render(tried, image, progress);

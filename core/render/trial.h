@@ -35,7 +35,8 @@ bool is_tried(const RendererOptions& options);
 // Runs the trial that the backend would run before the picture with these options.
 Trial try_steps(const Scene& scene, const Backend& backend, RendererOptions options);
 
-// Returns the backend with a trial before each picture in fast mode. Its Timings include the trial; its Work does not.
+// Returns the backend with a trial before each picture in fast mode, unless the scene has been tried
+// (StepLimits::tried). Its Timings include the trial; its Work does not.
 std::unique_ptr<Backend> with_trials(std::unique_ptr<Backend> backend);
 
 }  // namespace mandelmarch

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/scene/scene.h"
 
 namespace mandelmarch {
 namespace {
@@ -115,6 +116,7 @@ const LookValues& built_in_look(int colouring)
 #include "texts/lagoon.look"
             , "lagoon.look"),
     };
+    static_assert(std::tuple_size_v<decltype(looks)> == colouring_types - 2, "each look needs its file here");
     return looks.at(static_cast<std::size_t>(colouring) - 2);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A look: the colours and the light of a colouring type from 2 on, as named numbers. core/kernel/looks.h computes with
-// them. The folder looks contains the built-in looks as files, and docs/looks.md explains the format.
+// them. The folder scenes contains the built-in looks as files, and docs/looks.md explains the format.
 #pragma once
 
 #include <array>

@@ -37,6 +37,7 @@ inline constexpr std::string_view conservative_estimate = "conservative";
 struct StepLimits {
     double step_factor = plain_step_factor;  // max step factor
     double root_share = 0;                   // min of Stepping::root_share, the error of a hit in tolerances
+    bool tried = false;                      // a trial has chosen step_factor; no other trial precedes the picture
     bool operator==(const StepLimits&) const = default;
 };
 

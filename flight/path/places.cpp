@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -16,10 +17,12 @@ namespace mandelmarch {
 namespace {
 
 constexpr std::size_t columns = 8;
+constexpr std::size_t needed = 6;  // the first of the columns; a table may lack the others
 constexpr std::size_t most_places = 1000;
 constexpr std::size_t longest_field = 80;  // bytes of a field in a message
 constexpr double farthest = 1e9;           // largest coordinate
 constexpr double latest = 1e6;             // seconds
+using Fields = std::array<std::string, columns>;
 constexpr std::string_view tour_word = "tour";
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
@@ -31,33 +34,30 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// Returns the fields of a line, without blanks around them. Fields that are empty at the line's end are left out.
-std::vector<std::string> fields_of(std::string_view line, char separator)
-{
-    std::vector<std::string> fields;
-    for (std::size_t from = 0; from <= line.size();) {
-        const std::size_t end = std::min(line.find(separator, from), line.size());
-        fields.emplace_back(trimmed(line.substr(from, end - from)));
-        // In tables with semicolons or tabs, spreadsheets of many countries write decimal commas.
-        if (separator != ',') std::ranges::replace(fields.back(), ',', '.');
-        from = end + 1;
-    }
-    while (!fields.empty() && fields.back().empty()) fields.pop_back();
-    return fields;
-}
-
 class PlacesReader {
 public:
-    explicit PlacesReader(const std::string& name) { places_.file = name; }
+    explicit PlacesReader(const std::string& name)
+    {
+        places_.file = name;
+        names_ = fields_of(places_header, ',');
+    }
 
     void read(std::string_view line)
     {
         ++number_;
         if (trimmed(line).empty() || trimmed(line).front() == '#') return;
         if (separator_ == 0) return head(line);
-        const std::vector<std::string> fields = fields_of(line, separator_);
-        if (fields.empty()) return;
-        if (fields.size() == 1 && fields[0] == tour_word) {
+        const std::vector<std::string> given = fields_of(line, separator_);
+        if (given.size() > order_.size()) {
+            fail(fmt::format("{} fields given, expected {} or the word {}", given.size(), order_.size(), tour_word));
+        }
+        Fields fields;
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            if (order_[i] < columns) fields[order_[i]] = given[i];
+        }
+        const auto empty = static_cast<std::size_t>(std::ranges::count(fields, ""));
+        if (empty == columns) return;
+        if (empty == columns - 1 && std::ranges::count(fields, tour_word) == 1) {
             if (places_.tour_after) fail("this is the second tour on end, expected a place between two tours");
             places_.tour_after = true;
             return;
@@ -87,31 +87,65 @@ private:
         fail(fmt::format("{}, expected the header {}", found, places_header));
     }
 
+    // Returns the fields of a line, without quotes, and without blanks around them. Fields that are empty at the
+    // line's end are left out.
+    std::vector<std::string> fields_of(std::string_view line, char separator) const
+    {
+        std::vector<std::string> fields(1);
+        bool quoted = false;
+        for (const char c : line) {
+            if (c == '"') {
+                quoted = !quoted;
+            } else if (c == separator && !quoted) {
+                fields.emplace_back();
+            } else {
+                // In tables with semicolons or tabs, spreadsheets of many countries write decimal commas.
+                fields.back() += c == ',' && separator != ',' ? '.' : c;
+            }
+        }
+        if (quoted) fail("a quotation mark is open at the line's end, expected one more");
+        for (std::string& field : fields) field = std::string(trimmed(field));
+        while (!fields.empty() && fields.back().empty()) fields.pop_back();
+        return fields;
+    }
+
+    // Reads the names of the columns, in any order. Columns without a name are skipped.
     void head(std::string_view line)
     {
         for (const char separator : {',', ';', '\t'}) {
-            if (fields_of(line, separator) != fields_of(places_header, ',')) continue;
+            std::vector<std::string> names = fields_of(line, separator);
+            for (std::string& name : names) {
+                std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+            }
+            if (std::ranges::count(names, names_[0]) == 0) continue;
             separator_ = separator;
+            for (const std::string& name : names) {
+                const auto found = std::ranges::find(names_, name);
+                if (!name.empty() && found == names_.end()) {
+                    fail_head(fmt::format("unknown column '{}'", printable(name, longest_field)));
+                }
+                order_.push_back(static_cast<std::size_t>(found - names_.begin()));
+            }
+            for (std::size_t column = 0; column < columns; ++column) {
+                const auto times = std::ranges::count(order_, column);
+                if (times > 1) fail_head(fmt::format("column {} given {} times", names_[column], times));
+                if (times == 0 && column < needed) fail_head(fmt::format("column {} is missing", names_[column]));
+            }
             return;
         }
         fail_head(fmt::format("'{}' given", printable(trimmed(line), longest_field)));
     }
 
-    double real(const std::vector<std::string>& fields, std::size_t column, double low, double high) const
+    double real(const Fields& fields, std::size_t column, double low, double high) const
     {
-        const std::string text = column < fields.size() ? fields[column] : "";
-        const auto value = parse_real(text);
+        const auto value = parse_real(fields[column]);
         if (value && *value >= low && *value <= high) return *value;
-        fail(fmt::format("{} is '{}', expected a number from {} to {}", fields_of(places_header, ',')[column],
-                         printable(text, longest_field), low, high));
+        fail(fmt::format("{} is '{}', expected a number from {} to {}", names_[column],
+                         printable(fields[column], longest_field), low, high));
     }
 
-    void add(const std::vector<std::string>& fields)
+    void add(const Fields& fields)
     {
-        if (fields.size() > columns) {
-            fail(fmt::format("{} fields given, expected {} or the word {}", fields.size(), columns, tour_word));
-        }
-        const auto given = [&](std::size_t column) { return column < fields.size() && !fields[column].empty(); };
         const auto point = [&](std::size_t first) {
             const double x = real(fields, first, -farthest, farthest);
             const double y = real(fields, first + 1, -farthest, farthest);
@@ -121,8 +155,8 @@ private:
         place.eye = point(0);
         place.target = point(3);
         if (!(length(place.target - place.eye) > 0)) fail("look_at is the location, expected another point");
-        if (given(6)) place.second = real(fields, 6, 0, latest);
-        place.stay = given(7) ? real(fields, 7, 0, most_stay) : usual_stay;
+        if (!fields[6].empty()) place.second = real(fields, 6, 0, latest);
+        place.stay = fields[7].empty() ? usual_stay : real(fields, 7, 0, most_stay);
         place.tour = places_.tour_after;
         place.line = number_;
         if (place.tour && place.second == 0) fail("second is 0, expected a later one after a tour");
@@ -144,9 +178,11 @@ private:
     }
 
     Places places_;
-    int number_ = 0;      // number of the present line, from 1
-    char separator_ = 0;  // 0: the header is not read yet
-    double latest_ = 0;   // seconds; earliest end of the stay at the last place
+    std::vector<std::string> names_;  // of the columns, in the order of Fields
+    std::vector<std::size_t> order_;  // the column of each of the table's fields; `columns` if it has no name
+    int number_ = 0;                  // number of the present line, from 1
+    char separator_ = 0;              // 0: the header is not read yet
+    double latest_ = 0;               // seconds; earliest end of the stay at the last place
 };
 
 }  // namespace
@@ -162,10 +198,14 @@ Places places_from_text(const std::string& text, const std::string& name)
     PlacesReader reader(name);
     std::string_view rest = text;
     if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
+    if (rest.starts_with("\xff\xfe") || rest.starts_with("\xfe\xff") || rest.find('\0') != std::string_view::npos) {
+        throw InputError(fmt::format("{}: UTF-16 or no text, expected a table in UTF-8", name));
+    }
     while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
         reader.read(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
+        rest.remove_prefix(end);
+        rest.remove_prefix(std::min<std::size_t>(rest.starts_with("\r\n") ? 2 : 1, rest.size()));
     }
     return reader.take();
 }

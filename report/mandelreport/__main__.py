@@ -11,7 +11,7 @@ from pathlib import Path
 from . import page
 from .errors import InputError, run_program, write_whole
 from .pictures import Cache, Studio
-from .results import read_results
+from .results import RESULTS, read_results
 from .sections import Material
 
 LARGEST = 15 * 10**6  # bytes of the page
@@ -19,7 +19,7 @@ LARGEST = 15 * 10**6  # bytes of the page
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="mandelreport", description=__doc__)
-    parser.add_argument("--results", type=Path, default=Path("report/results"), help="folder of result files (%(default)s)")
+    parser.add_argument("--results", type=Path, default=RESULTS, help="folder of result files (%(default)s)")
     parser.add_argument("--programs", type=Path, default=Path("bin"), help="folder with render, imgdiff and bench (%(default)s)")
     parser.add_argument("--work", type=Path, default=Path("build/report"), help="folder for intermediate files (%(default)s)")
     parser.add_argument("--output", type=Path, default=Path("report/out"), help="folder of the report (%(default)s)")

@@ -214,31 +214,14 @@ class Answers:
         }
 
     def gpu(self) -> dict[str, Any] | None:
-        """Returns the times of the fastest measured GPU or, if none was measured, the predicted times of the K40, and
-        the host's times, all at the film's size."""
-        expected = next((n for n, text in self.results.files.items() if str(text).startswith("K40 on paper")), None)
+        """Returns the times of the fastest measured GPU, and the host's times, all at the film's size."""
         kinds = [{"fractal": fractal, "precision": "float", "mode": "fast"} for fractal in FRACTALS]
         rows = [self.results.of_size(FILM_SIZE, **kind, backend=self.backends.host) for kind in kinds]
-        if None in rows:
+        gpus = [self.results.fastest_gpu(FILM_SIZE, **kind) for kind in kinds]
+        if None in rows or None in gpus:
             return None
         size = [Number.of_row(*rows[0], f"/setting/{key}").html("plain") for key in ("width", "height")]
-        gpus = [self.results.fastest_gpu(FILM_SIZE, **kind) for kind in kinds]
-        if None not in gpus:
-            return {"measured": [self._beside(gpu, row) for gpu, row in zip(gpus, rows)], "size": size, "host": self.backends.host}
-        if expected is None:
-            return None
-        pairs = []
-        for fractal, (bench, row) in zip(FRACTALS, rows):
-            lines = [line.split()[:4] for line in self.results.files[expected].splitlines()]
-            predicted = self.results.number(expected, f"/{lines.index([fractal, 'float', 'fast', 'openacc'])}/10")
-            pairs.append(
-                {
-                    "predicted": predicted.html(),
-                    "host": self.results.times(bench.name, bench.at(row, "/figures/kernel_seconds"), 1e3),
-                    "times": (1e3 * Number.of_row(bench, row, "/figures/kernel_seconds/median") / predicted).html(),
-                }
-            )
-        return {"predicted": pairs, "size": size, "host": self.backends.host}
+        return {"measured": [self._beside(gpu, row) for gpu, row in zip(gpus, rows)], "size": size, "host": self.backends.host}
 
     def _beside(self, gpu: tuple[Bench, Row], host: tuple[Bench, Row]) -> dict[str, Any]:
         """Returns the times of a GPU's row and of the host's row for the same picture."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file of bench: names and units for the part of `bench json` that the report and tools/figures.py use. Needs only Python's standard library."""
+"""A result file of bench: names and units for the part of `bench json` that the report uses."""
 
 from __future__ import annotations
 

@@ -6,17 +6,20 @@ Needs no package but Jinja. Exit codes: 0 success, 1 a file cannot be written, 2
 
 import argparse
 import hashlib
-import json
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from . import viewer
 from .blocks import data_uri
-from .errors import InputError, run_program, write_whole
+from .errors import InputError, read_json, reading, run_program, write_whole
 
 LARGEST = 20 * 2**20  # bytes of the page
 REFERENCE = "reference"
+# The members of a row of demo.json, and examples of their types.
+ROW = {"fractal": "", "backend": "", "simd_width": 0, "precision": "", "mode": "", "drawn": True, "fine": True, "said": ""}
+ROW |= {"device": "", "is_gpu": True, "wall_seconds": 0.5, "speed_up": 0.5, "picture": ""}
+TABLE = {"cpu": "", "repetitions": 0, "revision": "", "side": 0, "threads": 0, "version": "", "rows": []}
 # Backends for GPUs, and their substitutes on a machine without a GPU.
 SUBSTITUTES = {
     "openacc": "1 host thread",
@@ -45,14 +48,25 @@ def substitute(row: dict[str, Any]) -> str:
     return f" ({name}, no GPU)" if name and not row["is_gpu"] else ""
 
 
+def check_members(data: Any, examples: dict[str, Any]) -> None:
+    """Raises KeyError or TypeError if the object lacks a member or has one of another type than its example."""
+    for name, example in examples.items():
+        kinds = (int, float) if isinstance(example, float) else type(example)
+        if not isinstance(data[name], kinds):
+            raise TypeError(f"{name} has another type")
+
+
 def read_table(folder: Path) -> dict[str, Any]:
     path = folder / "demo.json"
-    try:
-        table = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise InputError(f"{path}: {error}: create it with bin/demo --folder {folder}") from error
-    if not isinstance(table, dict) or table.get("schema") != 1:
-        raise InputError(f"{path}: not a table of schema 1; create one with bin/demo --folder {folder}")
+    table = read_json(path, expected := f"a table of schema 1 as bin/demo --folder {folder} writes it")
+    with reading(path, expected):
+        if table["schema"] != 1 or not table["rows"]:
+            raise ValueError("another schema, or no rows")
+        check_members(table, TABLE)
+        for row in table["rows"]:
+            check_members(row, ROW)
+            if row["picture"] and (folder / row["picture"]).resolve().parent != folder.resolve():
+                raise ValueError(f"the picture {row['picture']} is in another folder")
     return table
 
 
@@ -60,7 +74,8 @@ def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
     found: dict[str, Picture] = {}
     for row in rows:
         if row["picture"]:
-            data = (folder / row["picture"]).read_bytes()
+            with reading(folder / row["picture"], "a picture"):
+                data = (folder / row["picture"]).read_bytes()
             digest = hashlib.sha256(data).hexdigest()
             name = f"{row['fractal']}-{len(found)}"
             found.setdefault(digest, Picture(name, data_uri("image/png", data))).rows.append(row)
@@ -156,6 +171,8 @@ def main() -> int:
     parser.add_argument("--programs", type=Path, default=Path("bin"), help="folder with render (%(default)s)")
     parser.add_argument("--output", type=Path, default=Path("demo/index.html"), help="the page (%(default)s)")
     arguments = parser.parse_args()
+    if arguments.output.resolve().parent == arguments.folder.resolve() and arguments.output.suffix != ".html":
+        raise InputError(f"{arguments.output}: in the folder with the results, expected the name of a page, *.html")
     html = page(arguments.folder, arguments.programs.absolute()).encode()
     if len(html) > LARGEST:
         raise InputError(f"the page has {len(html)} bytes, more than {LARGEST}; use a smaller --side of bin/demo")

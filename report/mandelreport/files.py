@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Result files of a folder, each read once. Needs only Python's standard library."""
+"""Result files of a folder, each read once."""
 
 import json
 from pathlib import Path
 from typing import Any
 
 from .bench import Bench
-from .errors import InputError, output_of
+from .errors import InputError, output_of, reading
 
 
 # The kinds of files from which bench computes figures.
@@ -39,10 +39,9 @@ class Files:
         """Returns the content of the file `name`.json."""
         file = f"{name}.json"
         if file not in self.read:
-            try:
-                content = json.loads(self._bytes(file))
-            except ValueError as error:
-                raise InputError(f"{file}: not JSON: {error}") from None
+            data = self._bytes(file)
+            with reading(file, "JSON"):
+                content = json.loads(data)
             if isinstance(content, dict) and content.get("schema") in OF_BENCH:
                 content = json.loads(output_of(self.bench_program, "json", self.folder / file))
             self.read[file] = content

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers of the report's sentences. The page keeps each number's source, for readers and for a test.
+"""Numbers of the report's sentences. The page shows each number's source to readers who point at the number.
 
 A source is a place or a formula of places. A place is a file's name and a JSON pointer (RFC 6901), such as
 bench.json#/rows/12/operations. The pointer of a text file is the index of a line and that of a word."""
@@ -66,5 +66,4 @@ class Number:
 
     def html(self, style: str = "digits") -> Markup:
         shown = textwrap.shorten(self.source, LONGEST, placeholder=" ...")
-        form = '<data value="{!r}" title="{}" data-from="{}" data-style="{}">{}</data>'
-        return Markup(form).format(self.value, shown, self.source, style, STYLES[style](self.value))
+        return Markup('<data value="{!r}" title="{}">{}</data>').format(self.value, shown, STYLES[style](self.value))

@@ -2,7 +2,6 @@
 """Combines sections and templates into one HTML page."""
 
 import importlib
-from collections.abc import Collection
 from typing import Any
 
 from . import sections, viewer
@@ -17,7 +16,6 @@ MAIN = [
     ("speed", "Speed of the backends"),
     ("why", "Mandelbox or Mandelbulb, float or double"),
     ("parallel", "Parallelisation"),
-    ("gpu", "Prediction for GPUs"),
     ("film", "The film and the choice of its frames"),
     ("discussion", "Discussion"),
     ("related", "Related work"),
@@ -45,20 +43,8 @@ def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[st
 
 def _filled(template: str, numbers: Numbers, **values: Any) -> str:
     environment = viewer.environment()
-    environment.globals.update(number=numbers.next, ref=ref)
+    environment.globals.update(macros="macros.html.j2", number=numbers.next, ref=ref)
     return environment.get_template(template).render(**values)
-
-
-def front_page(material: Material) -> str:
-    """Returns only the front page."""
-    return _filled("front.html.j2", Numbers(), s=front.section(material))
-
-
-def sections_of(material: Material, names: Collection[str]) -> str:
-    """Returns only the sections `names` of the main part."""
-    contents = _contents(material, [entry for entry in MAIN if entry[0] in names])
-    numbers = Numbers()
-    return numbers.resolved("".join(_filled(f"{name}.html.j2", numbers, s=of) for name, _, of in contents))
 
 
 def render(material: Material) -> str:

@@ -16,7 +16,7 @@ from typing import Any
 from PIL import Image
 
 from .blocks import data_uri
-from .errors import output_of, write_whole
+from .errors import output_of, read_json, write_whole
 
 SIDE = 540  # pixels; the size that bench verifies and times
 ROOT = Path(__file__).parents[2]
@@ -99,21 +99,24 @@ class Studio:
         return self.render.exists() and self.imgdiff.exists()
 
     @functools.cached_property
+    def devices(self) -> str:
+        """Returns bin/render's list of devices with their drivers, and of backends that have none."""
+        if not self.there:
+            return ""
+        return subprocess.run([self.render, "--list-devices"], capture_output=True, text=True, check=False).stdout
+
+    @property
     def backends(self) -> list[str]:
         """Returns the backends of bin/render, in its order."""
-        if not self.there:
-            return []
-        run = subprocess.run([self.render, "--list-devices"], capture_output=True, text=True, check=False)
-        return list(dict.fromkeys(line.split()[0] for line in run.stdout.splitlines()))
+        return list(dict.fromkeys(line.split()[0] for line in self.devices.splitlines()))
 
     def _draw(self, key: Key, ending: str) -> Path | None:
         """Returns a picture file rendered by bin/render, or None if there is none; `reasons` then has the reason."""
         scene = SCENES[key.fractal]
-        target = self.cache.path(ending, self.program, scene.read_text(encoding="utf-8"), key, SIDE)
-        refused = target.with_suffix(ending + ".refused")
-        if not target.exists() and not refused.exists():
+        target = self.cache.path(ending, self.program, self.devices, scene.read_text(encoding="utf-8"), key, SIDE)
+        refused, stats = (target.with_suffix(ending + more) for more in (".refused", ".stats"))
+        if not (target.exists() and stats.exists()) and not refused.exists():
             print(f"report: rendering {key.fractal}, {key} ({ending[1:]})", file=sys.stderr)
-            stats = target.with_suffix(ending + ".stats")
             options = dataclasses.asdict(key) | {"size": f"{SIDE}x{SIDE}", "output": target, "stats": stats}
             command = [self.render, scene, *(word for name, value in options.items() for word in (f"--{name}", value))]
             run = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -133,7 +136,7 @@ class Studio:
         drawn = self._draw(key, ".png")
         if drawn is None:
             return None
-        stats = json.loads(drawn.with_suffix(".png.stats").read_text(encoding="utf-8"))
+        stats = read_json(drawn.with_suffix(".png.stats"), "the stats of a picture; delete it")
         values = self._draw(key, ".exr") if key.mode == "exact" else None
         return Picture(key, stats["device"]["name"], drawn, values)
 

@@ -18,6 +18,7 @@ from .number import Number, found
 from .flight import SERIES, Film, FlightMap, film_of_log, read_film, read_map
 
 
+RESULTS = Path("results")  # from the source folder
 SCHEMA = "mandelmarch-bench"
 NUMBER = (int, float)
 # The parts of other programs' files that the report uses: a type, a value, a list of one shape, or the keys of an
@@ -30,8 +31,6 @@ SHAPES: dict[str, Any] = {
     "film": {"version": 1, "fractal": str, "frames": int, "width": int, "height": int, "samples": NUMBER, "backend": str}
     | {"device": {"name": str, "is_gpu": bool}, "precision": str, "mode": str, "threads": int, "processes": int}
     | {"frames_rendered": int, "seconds": NUMBER},
-    "code_divergence": {"version": 2, "convergence": NUMBER, "convergence_without_shared_kernel": NUMBER, "models": [
-        {"backend": str, "lines": int, "lines_of_job": int, "lines_of_kernel": int, "distances": dict}]},
 }
 
 
@@ -71,11 +70,9 @@ class Results:
     films: list[Film] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
-    code_divergence: dict[str, Any] | None = None  # tools/code_divergence.py --json
+    lines_of_code: list[dict[str, Any]] = field(default_factory=list)  # the models of tools/lines_of_code.py
     races: list[dict[str, Any]] = field(default_factory=list)  # bench race --json
     duels: list[str] = field(default_factory=list)  # bench duel --json; names of files
-    k40: str | None = None  # the tables of make k40
-    loop_mix: str | None = None  # the table of make loop-mix
     flight_studies: list[str] = field(default_factory=list)  # the tables of make flight-study
 
     def study(self, name: str) -> list[Bench]:
@@ -132,14 +129,10 @@ class Results:
         rows = [one for one in self.timed(("standard", "resolution"), **wanted) if one[1].size == size]
         return max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count), default=None)
 
-    def fastest_gpu(
-        self, size: tuple[int, int], names: Iterable[str] = ("",), **wanted: str
-    ) -> tuple[Bench, Row] | None:
-        """Returns the fastest row of a GPU with this picture size and the given field values in the standard study.
-        `names`: parts of names; one of them must be in the GPU's name."""
+    def fastest_gpu(self, size: tuple[int, int], **wanted: str) -> tuple[Bench, Row] | None:
+        """Returns the fastest row of a GPU with this picture size and the given field values in the standard study."""
         rows = [one for one in self.timed(("standard",), is_gpu=True, **wanted) if one[1].size == size]
-        named = [one for one in rows if any(name in one[1].device_name for name in names)]
-        return min(named, key=lambda one: one[1].kernel.median, default=None)
+        return min(rows, key=lambda one: one[1].kernel.median, default=None)
 
     def number(self, file: str, pointer: str) -> Number:
         return Number.at(file, self.files[file], pointer)
@@ -164,8 +157,8 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
         results.benches.append(files.bench(stem))
     elif kind.get("schema") == "mandelmarch-bench-random":
         results.random.append(data)
-    elif kind.get("schema") == "mandelmarch-code-divergence":
-        results.code_divergence = checked(name, data, "code_divergence")
+    elif kind.get("schema") == "mandelmarch-lines-of-code":
+        results.lines_of_code = data["models"]
     elif kind.get("schema") == "mandelmarch-race":
         results.races.append(data)
     elif kind.get("format") == "mandelmarch flight map 1":
@@ -181,11 +174,7 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
 
 
 def _add_text(results: Results, name: str, text: str) -> None:
-    if text.startswith(("ptxas ", "K40 on paper")):
-        results.k40 = text if results.k40 is None else f"{results.k40}\n{text}"
-    elif text.startswith("loop mix: "):
-        results.loop_mix = text
-    elif text.startswith("flight study: "):
+    if text.startswith("flight study: "):
         results.flight_studies.append(text)
     elif film := film_of_log(name, text):
         results.films.append(film)

@@ -24,7 +24,7 @@ CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
 VIEWERS_OWN = ("hull", "subtile_hull", "spacing", "difference_step")
 FLATTEN = FOLDER / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
-VIEWS = ROOT / "views"  # contains the files NAME.FRACTAL.dat
+VIEWS = ROOT / "scenes"  # contains the files NAME.FRACTAL.dat
 FIRST = "reef"  # the view with which the viewer begins
 # Folders of the fractals' kernel sources. The environment variable adds folders, like the build option of the same
 # name.

@@ -16,7 +16,7 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr double run_scatter = 0.015;  // standard deviations of logarithms, as in report/results/bench.json
+constexpr double run_scatter = 0.015;  // standard deviations of logarithms, as in results/bench.json
 constexpr double sample_scatter = 0.02;
 constexpr double target = 0.93;
 constexpr int studies = 2000;
@@ -122,7 +122,7 @@ TEST_P(Coverage, OfATimeIsMissedByPooledSamples)
 }
 
 // Negative control: the interval from the percentiles of a hierarchical bootstrap is too narrow for few runs.
-TEST(CoverageOfThreeRunes, IsMissedByABootstrap)
+TEST(CoverageOfThreeRuns, IsMissedByABootstrap)
 {
     const std::map<int, double> quiet{{0, 1}, {1, 1}, {2, 1}};
     const auto bootstrap = [&](Random& random) {

@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 BIN, SOURCE = map(pathlib.Path, sys.argv[1:3])
-STUDY = SOURCE / "report" / "results" / "bench.json"
+STUDY = SOURCE / "results" / "bench.json"
 STORED = json.loads(subprocess.check_output([BIN / "bench", "json", STUDY]))
 
 
@@ -31,7 +31,7 @@ expected = {
 }
 problems = {key[:3] for key in expected}
 made = subprocess.run([BIN / "bench", "csv", STUDY], capture_output=True, text=True, check=True).stdout
-for origin, text in ("bench csv", made), ("report/results/bench.csv", STUDY.with_suffix(".csv").read_text()):
+for origin, text in ("bench csv", made), ("results/bench.csv", STUDY.with_suffix(".csv").read_text()):
     lines = list(csv.reader(io.StringIO(text)))
     assert all(len(line) == len(lines[0]) for line in lines) and len(lines) == 1 + sum(row["fractal"] != "all" for row in STORED["rows"]), origin
     rows = [row for row in csv.DictReader(io.StringIO(text)) if row["fom"]]

@@ -10,7 +10,7 @@ quick=(--backend openmp --size 64x64 --precision float --repetitions 6 --no-peak
 
 # If sources are not committed, bench refuses to write into the project's folder of results.
 if "$bench" --version | grep -q changed; then
-    refused 'sources that no commit has' "${quick[@]}" --json "$source/report/results/of-no-commit.json"
+    refused 'sources that no commit has' "${quick[@]}" --json "$source/results/of-no-commit.json"
 fi
 
 expect 0 "${quick[@]}" --json a.json --csv a.csv --runs 3
@@ -59,10 +59,10 @@ grep -q reference p3.csv && fail "the reference is an application"
 mkdir -p folder/below
 cp a.json folder/
 cp b.json folder/below/
-echo '{"schema": "mandelmarch-code-divergence"}' >folder/code_divergence.json
+echo '{"schema": "mandelmarch-lines-of-code"}' >folder/lines_of_code.json
 expect 0 portability folder
 grep -q mandelbox out || fail "no portability of a folder"
-[ "$(cat err)" = "bench: folder/code_divergence.json: no result of bench, left out" ] || fail "$(cat err)"
+[ "$(cat err)" = "bench: folder/lines_of_code.json: no result of bench, left out" ] || fail "$(cat err)"
 grep -q '^H, the set of platforms:$' out || fail "H is not named"
 sed 's/"revision": [^,]*/"revision": "0123abcdef"/' a.json >folder/other.json
 expect 0 portability folder
@@ -71,7 +71,7 @@ rm folder/other.json
 sed 's/"mode": "exact"/"mode": 7/' a.json >folder/damaged.json
 expect 2 portability folder
 grep -q 'damaged.json: .*mode: 7 given' err || fail "a damaged result is left out"
-expect 2 portability folder/code_divergence.json
+expect 2 portability folder/lines_of_code.json
 
 cp a.json kept.json
 expect 2 portability a.json --json a.json

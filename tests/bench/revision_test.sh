@@ -8,8 +8,8 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 fail() { echo "FAILED: $*" >&2; exit 1; }
 git init -q
-mkdir -p report/results bench
-echo a >report/results/bench.json
+mkdir -p results bench
+echo a >results/bench.json
 echo a >bench/source.cpp
 git add .
 git -c user.name=test -c user.email=test@test commit -qm one
@@ -21,7 +21,7 @@ dirty() {
 }
 dirty "$1" "$2" false "as committed"
 grep -q "$(git rev-parse HEAD)" out/revision.h || fail "not git's revision"
-echo b >report/results/bench.json
+echo b >results/bench.json
 dirty "$1" "$2" false "a result measured again"
 echo b >bench/source.cpp
 dirty "$1" "$2" true "a changed source"
@@ -29,6 +29,9 @@ git checkout -q bench
 if [ "$(id -u)" = 0 ]; then
     chown -R 1 .git
     GIT_CEILING_DIRECTORIES=$work dirty "$1" "$2" false "sources of another user"
+    ln -s . link
+    sources=$work/link dirty "$1" "$2" false "sources of another user, through a link"
+    rm link
     chown -R 0 .git
 fi
 mkdir inner

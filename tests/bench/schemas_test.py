@@ -48,7 +48,7 @@ def check(name, data):
 def write_files(folder):
     """Runs bench and writes a file of each kind."""
     small = "--backend", "openmp", "--fractal", "box", "--size", "32x32", "--precision", "float", "--repetitions", 1
-    results = SOURCE / "report" / "results"
+    results = SOURCE / "results"
     bench("random", "--scenes", 1, "--sets", 1, "--json", folder / "random.json", codes=(0, 1))
     bench("equivalence", "--backend", "openmp", "--scenes", 2, "--json", folder / "equivalence.json")
     bench("portability", results / "bench.json", results / "targets.json", "--json", folder / "portability.json")
@@ -60,7 +60,7 @@ def write_files(folder):
 seen = {}
 with tempfile.TemporaryDirectory() as temporary:
     write_files(pathlib.Path(temporary))
-    for path in [*sorted((SOURCE / "report" / "results").rglob("*.json")), *sorted(pathlib.Path(temporary).rglob("*.json"))]:
+    for path in [*sorted((SOURCE / "results").rglob("*.json")), *sorted(pathlib.Path(temporary).rglob("*.json"))]:
         data = json.loads(path.read_text())
         if isinstance(data, list) or data.get("schema") in BY_NAME:
             seen[check(path, data)] = data

@@ -77,8 +77,8 @@ private:
 
 class BrokenBackend : public Backend {
 public:
-    explicit BrokenBackend(Defect defect) : defect_(defect) {}
-    std::string_view name() const override { return "broken"; }
+    explicit BrokenBackend(Defect defect, std::string_view name = "broken") : defect_(defect), name_(name) {}
+    std::string_view name() const override { return name_; }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {Device{}}; }
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
@@ -88,6 +88,7 @@ public:
 
 private:
     Defect defect_;
+    std::string_view name_;
 };
 
 class Broken : public testing::TestWithParam<Precision> {
@@ -121,6 +122,25 @@ TEST_P(Broken, WithADefectItFails)
     if (__builtin_cpu_supports("fma")) {
         EXPECT_FALSE(passes(Defect::contraction, Mode::exact));
     }
+}
+
+// If two backends have the same picture, the expected one, which openmp renders, is suspect. Negative control: with two
+// different defects it is not.
+TEST_P(Broken, ThatAgreeMakeTheExpectedPictureSuspect)
+{
+    const std::vector<NamedScene> scenes{{"near", official_scene("box", 90, 60)}};
+    const auto second = [&](Defect a, Defect b) {
+        Expected expected(registry);
+        const RendererOptions options{.precision = GetParam()};
+        check(BrokenBackend(a, "first"), options, "box", scenes, expected);
+        return check(BrokenBackend(b, "second"), options, "box", scenes, expected).first;
+    };
+    EXPECT_TRUE(
+        second(Defect::wrong_fold, Defect::wrong_fold).ends_with("; first has the same picture: suspect openmp"));
+    const std::string different = second(Defect::wrong_fold, Defect::upside_down);
+    EXPECT_EQ(different.find("suspect"), std::string::npos);
+    EXPECT_NE(different.find("bin/render --fractal box"), std::string::npos);
+    EXPECT_TRUE(different.ends_with("--trace")) << different;
 }
 
 // Returns true if a backend with this defect passes the random scenes of `bench equivalence`.

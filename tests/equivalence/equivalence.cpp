@@ -35,6 +35,14 @@ const Image& Expected::picture(const NamedScene& scene, Precision precision, Mod
     return pictures_.emplace(key, render(baseline, scene.scene, options)).first->second;
 }
 
+std::string Expected::same_elsewhere(const NamedScene& scene, const RendererOptions& options, const Backend& backend,
+                                     const Image& wrong)
+{
+    const std::string key = fmt::format("{} {} {}", scene.name, name_of(options.precision), name_of(options.mode));
+    const auto& [name, image] = wrong_.try_emplace(key, backend.name(), wrong).first->second;
+    return name != backend.name() && compare(image, wrong).same() ? name : "";
+}
+
 EquivalenceRow check(const Backend& backend, const RendererOptions& options, const std::string& fractal,
                      const std::vector<NamedScene>& scenes, Expected& expected)
 {
@@ -60,7 +68,10 @@ EquivalenceRow check(const Backend& backend, const RendererOptions& options, con
         row.level = std::max(row.level, found.level);
         row.largest_ulps = std::max(row.largest_ulps, found.largest_ulps);
         if (c.first >= 0 && row.first.empty()) {
-            row.first = fmt::format("{}: {}", named.name, describe_pixel(right, image, c.first));
+            row.first = fmt::format("{}: {}; {}", named.name, describe_pixel(right, image, c.first),
+                                    trace_command(named.scene, options, c.first));
+            const std::string other = expected.same_elsewhere(named, options, backend, image);
+            if (!other.empty()) row.first += fmt::format("; {} has the same picture: suspect openmp", other);
         }
     }
     return row;

@@ -23,7 +23,7 @@ struct EquivalenceRow {
     std::uint64_t pixels = 0;
     std::uint64_t differing = 0;  // pixels that differ in a bit of colour or depth, or in a byte
     double largest_ulps = 0;
-    std::string first;  // the first differing pixel with both values; empty if none differs
+    std::string first;  // the first differing pixel with both values, and how to trace it; empty if none differs
 
     bool passed() const { return level <= level_required(mode); }
 };
@@ -38,9 +38,14 @@ public:
     explicit Expected(const Registry& registry) : registry_(registry) {}
     const Image& picture(const NamedScene& scene, Precision precision, Mode mode);
 
+    // Returns the name of another backend that has rendered this wrong picture of the scene before; empty if none has.
+    std::string same_elsewhere(const NamedScene& scene, const RendererOptions& options, const Backend& backend,
+                               const Image& wrong);
+
 private:
     const Registry& registry_;
     std::map<std::string, Image> pictures_;
+    std::map<std::string, std::pair<std::string, Image>> wrong_;  // the first wrong one of each scene, by a backend
 };
 
 // Renders the scenes that have this fractal, all with one renderer, and compares the pictures with the expected ones.

@@ -141,9 +141,9 @@ play file "$source/paramsBulb.dat"
 for line in 1 2; do is file $line 't["colouring"]' 1; done
 is file 3 't["said"]' 'look: limestone'
 
-# V shows the views of the folder views one after the other, and then the first one again. Their cameras differ.
+# V shows the views of the folder scenes one after the other, and then the first one again. Their cameras differ.
 rm view-*.dat
-views=("$source"/views/*.dat)
+views=("$source"/scenes/*.*.dat)
 {
     echo 'wait 5'
     for _ in "${views[@]}" again; do printf '%s\n' 'key V' 'wait 5' tell save-view; done

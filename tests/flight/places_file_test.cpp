@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -50,6 +51,23 @@ TEST(PlacesFile, IsReadAsSpreadsheetsWriteIt)
     EXPECT_EQ(got.eye.x, 1.5);
 }
 
+TEST(PlacesFile, ColumnsAreFoundByTheirNames)
+{
+    const Place want = places_from_text(head + "1,2,3,0,0,0.5,20,1\n", "a.csv").all.front();
+    for (const char* text : {
+             "\"location_x\",\"location_y\",location_z,look_at_x,look_at_y,look_at_z,second,stay\n\"1\",2,3,0,0,0.5,20,"
+             "1\n",
+             ",location_x,location_y,location_z,look_at_x,look_at_y,look_at_z,second,stay\n0,1,2,3,0,0,0.5,20,1\n",
+             "Stay,Second,look_at_z,look_at_y,look_at_x,location_z,location_y,Location_X\r1,20,0.5,0,0,3,2,1\r,tour\r",
+             "location_x;location_y;location_z;look_at_x;look_at_y;look_at_z;second;stay\n1;2;3;0;0;\"0,5\";20;1\n",
+         }) {
+        const Place got = places_from_text(text, "a.csv").all.front();
+        EXPECT_EQ(std::tie(got.eye, got.target, got.second, got.stay, got.line),
+                  std::tie(want.eye, want.target, want.second, want.stay, want.line))
+            << text;
+    }
+}
+
 TEST(PlacesFile, LineOfAViewIsAPlace)
 {
     const Vector eye{0.123456789, -2, 3e-7};
@@ -81,6 +99,8 @@ TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
              {"1,2,3,0,0,0,20\n1,2,3,0,0,0\n1,2,3,0,0,0,23", "a.csv:4: second is 23, expected more than 24"},
              {"tour\ntour\n1,2,3,0,0,0", "a.csv:3: this is the second tour on end"},
              {"tour\n1,2,3,0,0,0,0", "a.csv:3: second is 0, expected a later one after a tour"},
+             {"\"1,2,3,0,0,0", "a.csv:2: a quotation mark is open"},
+             {"\"1,5\",2,3,0,0,0", "a.csv:2: location_x is '1,5'"},
              {"tuor", "a.csv:2: location_x is 'tuor'"},
              {"tour", "a.csv: no places"},
          }) {
@@ -92,13 +112,20 @@ TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
             EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
         }
     }
-    for (const std::string& text : {std::string(), good, "frame," + head}) {
+    for (const auto& [text, message] : {
+             std::pair<std::string, const char*>{"", "a.csv:1: the table is empty, expected the header location_x,"},
+             {good, "a.csv:1: '1,2,3,0,0,0,20,2' given, expected the header location_x,"},
+             {"Frame," + head, "a.csv:1: unknown column 'frame', expected the header location_x,"},
+             {"stay," + head, "a.csv:1: column stay given 2 times"},
+             {"location_x,location_y,look_at_x", "a.csv:1: column location_z is missing"},
+             {"\xff\xfe" + head, "a.csv: UTF-16 or no text"},
+             {std::string("l\0o\0", 4), "a.csv: UTF-16 or no text"},
+         }) {
         try {
             places_from_text(text, "a.csv");
             ADD_FAILURE() << text;
         } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("expected the header location_x"), std::string::npos)
-                << error.what();
+            EXPECT_TRUE(std::string(error.what()).starts_with(message)) << error.what();
         }
     }
 }

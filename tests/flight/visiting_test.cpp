@@ -19,7 +19,7 @@ namespace {
 
 constexpr int frames = 1800;
 
-// The lines of the views ravine and terraces, a tour, and the view temple (views).
+// The lines of the views ravine and terraces, a tour, and the view temple (scenes).
 const std::string ravine = "5.273290104,1.387809562,5.400536058,4.976588959,0.5206696182,5.000490125,";
 const std::string terraces = "4.59089102,3.307132358,5.499079091,5.128894500,2.524955920,5.184830343,";
 const std::string temple = "5.401487322,0.7248474461,5.063691376,4.732755850,0.9379517075,5.776000853,";

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests properties that every fractal must have. They fail if the fractal's kernel source and descriptor do not agree.
 // A separate build runs these tests with the fractal tests/fractals/sierpinski.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "backends/all.h"
 #include "core/image/compare.h"
+#include "core/render/agreement.h"
 #include "core/scene/extreme_scene.h"
 #include "core/scene/fractal.h"
 #include "flight/field/field.h"
+#include "instruments/trace.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
@@ -39,6 +43,13 @@ private:
 
 constexpr double most_off = 0.02;
 
+// Returns the scene and the first differing pixel of two pictures, for messages.
+std::string where(const Scene& scene, Mode mode, const Image& a, const Image& b)
+{
+    const std::int64_t first = std::max<std::int64_t>(compare(a, b).first, 0);
+    return describe_pixel(a, b, first) + "; " + trace_command(scene, {.mode = mode}, first);
+}
+
 double share_off(const Image& a, const Image& b)
 {
     const Comparison c = compare(a, b);
@@ -66,7 +77,10 @@ TEST_P(EveryFractal, DrawsScenesInItsRanges)
 TEST_P(EveryFractal, GradientsAreThoseOfTheEstimate)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
-    EXPECT_LT(share_off(drawn(scene, Mode::fast, ""), drawn(scene, Mode::fast, "gradient")), most_off);
+    const Image by_gradient = drawn(scene, Mode::fast, "");
+    const Image by_differences = drawn(scene, Mode::fast, "gradient");
+    EXPECT_LT(share_off(by_gradient, by_differences), most_off)
+        << where(scene, Mode::fast, by_gradient, by_differences);
 }
 
 // Negative control: the comparison of pictures detects slightly different light.
@@ -82,7 +96,9 @@ TEST_P(EveryFractal, OtherLightIsFoundOut)
 TEST_P(EveryFractal, HullChangesNoPicture)
 {
     for (const Scene& scene : scenes()) {
-        EXPECT_TRUE(compare(drawn(scene, Mode::exact, ""), drawn(scene, Mode::exact, "hull")).same());
+        const Image with = drawn(scene, Mode::exact, "");
+        const Image without = drawn(scene, Mode::exact, "hull");
+        EXPECT_TRUE(compare(with, without).same()) << where(scene, Mode::exact, with, without);
     }
 }
 
@@ -96,7 +112,8 @@ TEST_P(EveryFractal, BodyHoldsTheFractal)
         const Vector p = 3 * size * direction;
         EXPECT_FALSE(field.bounds().contains(p));
         EXPECT_GT(field.distance(p), 0);
-        EXPECT_LT(field.safety() * field.distance(p), 3 * size);
+        EXPECT_LT(field.safety() * field.distance(p), 3 * size) << "the estimate at (" << p.x << ", " << p.y << ", "
+                                                                << p.z << ") is larger than the distance to the centre";
     }
 }
 
@@ -111,6 +128,48 @@ TEST_P(EveryFractal, SymmetricPlacesAreAsFar)
         EXPECT_NEAR(field.distance(field.representative(p)), distance, 1e-6 * distance);
         EXPECT_TRUE(field.worth_searching(field.representative(p)));
     }
+}
+
+// Returns the largest ratio of an estimate to the distance from the sample to its ray's hit, which is on the surface.
+// An estimate counts without its last tolerances, because the surface is only known to within these. Short steps find
+// the first root on the ray.
+std::pair<double, std::string> largest_estimate(Scene scene)
+{
+    constexpr double unknown = 4;  // tolerances
+    scene.limits.step_factor = 0.1;
+    const RendererOptions options{.mode = Mode::fast, .techniques = techniques_without("hull,relaxation")};
+    std::pair<double, std::string> largest;
+    for (int y = 3; y < scene.height; y += 9) {
+        for (int x = 3; x < scene.width; x += 9) {
+            const Trace ray = trace_pixel(scene, options, x, y);
+            if (!ray.hit) continue;
+            for (const TracedSample& sample : ray.marching) {
+                const double left = ray.pixel.depth - sample.t;
+                const double ratio = (sample.distance - unknown * sample.tolerance) / left;
+                if (left > 0 && ratio > largest.first) {
+                    largest = {ratio, fmt::format("at t = {}; {}", sample.t,
+                                                  trace_command(scene, options, y * scene.width + x))};
+                }
+            }
+        }
+    }
+    return largest;
+}
+
+// No ray hits the surface within the sphere that flights trust to be free (Trust::safety). Negative control: it would
+// if the estimates were four times as large; those of the Mandelbulb and the Mandelbox, already 1.3 times.
+TEST_P(EveryFractal, EstimatesAreAsSafeAsTheDescriptorSays)
+{
+    double worst = 0;
+    for (Scene scene : scenes()) {
+        for (const bool conservative : {false, true}) {
+            scene.conservative = conservative;
+            const auto [largest, where] = largest_estimate(scene);
+            worst = std::max(worst, fractal().flight.trust_of(scene).safety * largest);
+            EXPECT_LE(worst, 1) << "times the distance, " << where;
+        }
+    }
+    EXPECT_GT(4 * worst, 1);
 }
 
 std::vector<const Fractal*> all_fractals()

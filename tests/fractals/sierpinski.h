@@ -34,7 +34,7 @@ FN real sierpinski_r2(vec3 z) { return larger(dot3(z, z), R(1.0e-30)); }
 // (sierpinski.cpp) computes the sphere's radius, with a proof.
 FN Span hull(scalar size, vec3 origin, vec3 direction) { return sphere_span(size, origin, direction); }
 
-FN_CALLED Estimate estimate(Scene scene, vec3 p, mask on)
+FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
     real k = 1;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# run.sh BIN SOURCE CORPUS SECONDS FUZZER: runs the fuzzer for SECONDS, starting from the official parameter files, small
-# pictures, a short path and a small result. Inputs that cause a failure are kept in CORPUS/FUZZER.
+# run.sh BIN SOURCE CORPUS SECONDS FUZZER: runs the fuzzer for SECONDS, starting from the official parameter files, looks,
+# places, schedules, small pictures, a short path and a small result. Inputs that cause a failure are kept in CORPUS/FUZZER.
 set -euo pipefail
 bin=$1
 source=$2
@@ -9,8 +9,10 @@ corpus=$3/$5
 seconds=$4
 seeds=$(mktemp -d)
 trap 'rm -rf "$seeds"' EXIT
-cp "$source"/params*.dat "$source"/tests/fuzz/result.json "$seeds"/
-for format in bmp png exr; do
+cp "$source"/params*.dat "$source"/tests/fuzz/result.json "$source"/looks/*.look "$source"/views/*.csv "$seeds"/
+for schedule in 2 2:2.5 0s=2,60s=2.5 p8 p8:5 p0s=8,60s=5,120s=8; do echo -n "$schedule" >"$seeds/$schedule"; done
+printf 'P2 # grey\n3 1 7\n0 3 7\n' >"$seeds/grey.pgm"
+for format in bmp png exr ppm; do
     "$bin/render" --fractal box "$source/paramsBox.dat" --size 5x3 --backend openmp --output "$seeds/small.$format"
 done
 cat >"$seeds/path.json" <<'END'

@@ -8,10 +8,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
-import k40  # noqa: E402
-import gpu_expected  # noqa: E402
-import machine_code  # noqa: E402
+import device_code  # noqa: E402
 
 # Allowed registers per thread, by GPU, kind of kernel and precision. With this many registers, a multiprocessor of the
 # K40 can hold 9 (march, float), 5 (march, double), 6 (cones and shade, float), 3 (cones and shade, double) or 16 (bytes)
@@ -60,15 +57,15 @@ def faults(ptx, fractals):
         found.append("a function that is called instead of inlined")
     wanted = {(kind, fractal, precision, mode) for kind in ("cones", "march", "shade", "bytes") for fractal in fractals
               for precision in ("float", "double") for mode in ("exact", "fast") if (kind, mode) != ("cones", "exact")}
-    for entry in k40.ENTRY.finditer(ptx):
+    for entry in device_code.ENTRY.finditer(ptx):
         if ".maxntid 128, 1, 1" not in entry[0]:
             found.append(f"{entry[1]}: does not say how many threads its blocks have")
         if re.match(r"shade_|march_\w+_double_fast", entry[1]) and ".minnctapersm" not in entry[0]:
             found.append(f"{entry[1]}: does not say how many blocks a multiprocessor shall hold")
     fused = 0
-    for name, body in k40.kernels(ptx):
-        match = k40.KERNEL.match(name)
-        if peak := k40.PEAK.match(name):
+    for name, body in device_code.kernels(ptx):
+        match = device_code.KERNEL.match(name)
+        if peak := device_code.PEAK.match(name):
             found += operation_faults(name, body, peak[1], "fast")
             continue
         if not match:
@@ -92,47 +89,10 @@ def faults(ptx, fractals):
 
 def changed(ptx, kernel, old, new):
     """Returns the PTX with the first match of the pattern `old` in one kernel replaced by `new`."""
-    body = next(body for name, body in k40.kernels(ptx) if name.startswith(kernel))
+    body = next(body for name, body in device_code.kernels(ptx) if name.startswith(kernel))
     mutant = re.sub(old, new, body, count=1)
     assert mutant != body, f"{kernel} holds no {old}"
     return ptx.replace(body, mutant)
-
-
-LOOPS = """
-$L1:
-mul.rn.f32 %r1,%r2,%r3;
-$L2:
-mov.f32 %r4,%r5;
-fma.rn.f64 %r1,%r2,%r3,%r4;
-div.rn.f32 %r1,%r2,%r3;
-setp.gt.f32 %r6,%r1,%r2;
-@ %r6 bra $L2;
-ld.f32 %r7,[%r8];
-@ ! %r6 bra $L1;
-"""
-
-
-def check_expected():
-    """Returns the faults that it finds in the prediction of times (tools/gpu_expected.py). Checks the loops found in a
-    march, the cycles of their instructions, and the longest ray."""
-    found = []
-    march = machine_code.march_of(machine_code.ptx(LOOPS, {"div.rn.f32": 8}), {"double": 20})
-    if march != (20, 3, 11, 3, False):
-        found.append(f"loops: {march}, expected 20 cycles for 11 instructions a round, 3 for 3 a step")
-    try:
-        machine_code.march_of(machine_code.ptx(LOOPS.replace("bra $L1", "bra $L3"), {}), {})
-        found.append("the negative control without the outer loop was taken")
-    except ValueError:
-        pass
-    gpu = gpu_expected.Gpu(1, 1.0, {}, 4)
-    steps, rounds = (gpu_expected.Counts(total, longest) for total, longest in ((320, 10), (3200, 100)))
-    seconds = gpu_expected.expected(gpu, march, steps, rounds, (0.5, 0.25))
-    if seconds != ((3 * 320 / 0.5 + 20 * 3200 / 0.25) / 32 / 4, 4 * (3 * 10 + 11 * 100)):
-        found.append(f"{seconds} s expected of a march")
-    single, double = gpu_expected.expansion("div.rn.f32"), gpu_expected.expansion("div.rn.f64")
-    if not 4 < single < double < 100:
-        found.append(f"a division becomes {single} instructions in float, {double} in double")
-    return found
 
 
 def check_text(ptx, fractals):
@@ -170,33 +130,31 @@ def spills(results):
 
 def check_assembled(ptx, fractals):
     found = []
-    for gpu, architecture, ptxas, _ in k40.GPUS:
-        results = k40.resources(ptx, k40.pinned(ptxas), architecture)
+    for gpu in device_code.GPUS:
+        results = device_code.resources(ptx, gpu)
         found += [f"{gpu}: {fault}" for fault in spills(results)]
         if len(results) != 14 * len(fractals) + 2:
             found.append(f"{gpu}: {len(results)} kernels assembled, the two of the peak included")
         for name, (registers, _, _) in results.items():
-            if k40.PEAK.match(name + "$_omp_fn$0"):
+            if device_code.PEAK.match(name + "$_omp_fn$0"):
                 continue
-            kind, _, precision, _ = re.match(k40.KERNEL, name + "$_omp_fn$0").groups()
+            kind, _, precision, _ = re.match(device_code.KERNEL, name + "$_omp_fn$0").groups()
             most = MOST_REGISTERS[gpu][kind, precision]
             if registers > most:
                 found.append(f"{gpu}: {name}: {registers} registers, {most} expected at most")
-    if not spills(k40.resources(re.sub(r"\.minnctapersm \d+", ".minnctapersm 16", ptx), k40.pinned("ptxas_11"), "sm_35")):
+    if not spills(device_code.resources(re.sub(r"\.minnctapersm \d+", ".minnctapersm 16", ptx), "K40")):
         found.append("the negative control with 32 registers spills nothing")
-    if [k40.threads(registers, 16) for registers in (32, 33, 255)] != [2048, 1536, 256]:
-        found.append("occupancy differs from the occupancy calculator's")
-    return found + check_expected()
+    return found
 
 
 def main():
     check = {"text": check_text, "assemble": check_assembled}[sys.argv[1]]
-    texts = k40.extract(sys.argv[2])
+    texts = device_code.extract(sys.argv[2])
     if len(texts) != 1:
         sys.exit(f"{len(texts)} PTX texts in {sys.argv[2]}, expected 1")
     try:
         found = check(texts[0], sys.argv[3:])
-    except k40.Unavailable as error:
+    except device_code.Unavailable as error:
         print(error)
         sys.exit(1 if "CI" in os.environ else 77)
     for fault in found:

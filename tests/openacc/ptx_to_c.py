@@ -7,8 +7,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
-import k40  # noqa: E402
+import device_code  # noqa: E402
 
 C_TYPES = {"u16": "uint16_t", "s16": "int16_t", "u32": "uint32_t", "s32": "int32_t", "b32": "uint32_t", "u64": "uint64_t",
            "s64": "int64_t", "b64": "uint64_t", "f32": "float", "f64": "double", "pred": "bool", "u8": "uint8_t", "b16": "uint16_t"}
@@ -188,9 +187,9 @@ def translate(kernels):
 def main():
     compiler, program = sys.argv[1:]
     if compiler == "gcc":
-        kernels = k40.kernels(k40.extract(program)[0])
+        kernels = device_code.kernels(device_code.extract(program)[0])
     else:
-        kernels = [kernel for text in k40.extract_cuda(program) for kernel in NVCC_ENTRY.findall(text)]
+        kernels = [kernel for text in device_code.extract_cuda(program) for kernel in NVCC_ENTRY.findall(text)]
     print(translate(kernels))
 
 

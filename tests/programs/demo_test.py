@@ -150,7 +150,7 @@ class DemoTest(unittest.TestCase):
         self.assertRegex(self.text, r'<option value="[\w-]+">openmp, float, fast</option>')
 
     def test_there_is_a_button_for_every_view(self):
-        names = [path.name.split(".")[0].capitalize() for path in Path(SOURCE, "views").glob("*.*.dat")]
+        names = [path.name.split(".")[0].capitalize() for path in Path(SOURCE, "scenes").glob("*.*.dat")]
         buttons = re.findall(r'data-view="\d+">(\w+)<', self.text)
         self.assertEqual(sorted(buttons), sorted(names))
         self.assertEqual(buttons[0], "Reef")
@@ -199,9 +199,20 @@ class DemoTest(unittest.TestCase):
         self.assertRegex(text, r"<strong>FAILED:</strong> \w+, openmp, double, exact: OTHER BITS")
         self.assertNotIn("<strong>FAILED", self.text)
 
-    def test_another_schema_is_one_line(self):
-        done, text = self.page_of(lambda table: table.update(schema=2))
-        self.assertEqual((done.returncode, text, done.stderr.count("\n")), (2, "", 1), done.stderr)
+    def test_half_and_hostile_tables_are_one_line(self):
+        for change in (lambda table: table.update(schema=2), lambda table: table.update(rows=[]), lambda table: table.pop("rows"),
+                       lambda table: table.pop("cpu"), lambda table: table["rows"][0].pop("said"),
+                       lambda table: table["rows"][0].update(wall_seconds="1"), lambda table: table["rows"][0].update(picture="none.png"),
+                       lambda table: table["rows"][0].update(picture="/etc/passwd"),
+                       lambda table: table["rows"][0].update(picture="../../../../etc/passwd")):
+            done, text = self.page_of(change)
+            self.assertEqual((done.returncode, text, done.stderr.count("\n")), (2, "", 1), done.stderr)
+
+    def test_pictures_that_cannot_be_written_cost_no_table(self):
+        done = run("bash", "-c", f"ulimit -f 1; exec '{BIN}/demo' --side 64 --folder '{self.folder}/full'")
+        self.assertEqual((done.returncode, len(done.stderr.strip().splitlines()[-1:])), (1, 1), done.stderr)
+        self.assertRegex(done.stdout, "openmp +double +exact +[0-9.]+ ")
+        self.assertIn(".png: cannot write it: File too large", done.stderr)
 
 
 if __name__ == "__main__":

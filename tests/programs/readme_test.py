@@ -61,7 +61,7 @@ class ReadmeTest(unittest.TestCase):
             shutil.copy(os.path.join(BIN, name), os.path.join(self.folder, "bin"))
         for path in glob.glob(os.path.join(SOURCE, "params*.dat")):
             shutil.copy(path, self.folder)
-        for path in ("views", os.path.join("report", "results")):
+        for path in ("scenes", "results"):
             shutil.copytree(os.path.join(SOURCE, path), os.path.join(self.folder, path))
 
     def test_commands_work(self):

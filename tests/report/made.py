@@ -5,18 +5,16 @@ from __future__ import annotations
 
 import copy
 import json
-import shutil
 from pathlib import Path
 from typing import Any
 
 import made_programs
 
-from mandelreport.files import PROGRAMS, Files
-from mandelreport.results import Results, read_results
+from mandelreport.files import Files
+from mandelreport.results import RESULTS, Results, read_results
 
 ROOT = Path(__file__).parents[2]
-# The folder of the stored results and that of the tested programs.
-STORED = Files(ROOT / "report" / "results", Path(shutil.which("bench") or PROGRAMS / "bench").parent)
+STORED = Files(ROOT / RESULTS, made_programs.TESTED)
 
 
 def stored(name: str) -> Any:
@@ -199,10 +197,6 @@ def film() -> dict[str, Any]:
     return stored("film.json") | {"frames": 7200, "frames_rendered": 7200, "seconds": 1800.0}
 
 
-def code_divergence() -> dict[str, Any]:
-    return stored("code_divergence.json") | {"convergence": 0.5679}
-
-
 def race(environment: dict[str, Any]) -> dict[str, Any]:
     def program(name: str, verdict: str, why: str | None, seconds: float | None) -> dict[str, Any]:
         return {
@@ -261,7 +255,7 @@ def everything() -> dict[str, Any]:
         "map.json": flight_map(),
         "flight.json": audit(),
         "film.json": film(),
-        "code_divergence.json": code_divergence(),
+        "lines_of_code.json": stored("lines_of_code.json"),
         "race.json": race(bench()["environment"]),
         "native.json": duel(),
     }

@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-# A fake render, which writes a grey picture. With vulkan, one pixel of it differs. opencl is not available, and another
-# backend may fail.
+# The folder of the tested programs.
+TESTED = Path(shutil.which("bench") or Path(__file__).parents[2] / "bin" / "bench").parent
+
+# A fake render, which writes a grey picture. With vulkan, one pixel of it differs. opencl is not available without a
+# driver, and another backend may fail.
 RENDER = f"""#!{sys.executable}
 import json, os, sys
 from PIL import Image
@@ -16,12 +20,12 @@ if "--list-fractals" in sys.argv:
     print(json.dumps({{"scene": {{}}, "fractals": []}}))
     sys.exit(0)
 if "--list-devices" in sys.argv:
-    for line in ("reference  0: CPU", "openmp     0: CPU", "opencl     unavailable: not here", "vulkan     0: GPU"):
+    for line in ("reference  0: CPU", "openmp     0: CPU", "opencl     " + os.environ.get("MADE_DRIVER", "unavailable: not here"), "vulkan     0: GPU"):
         print(line)
     sys.exit(0)
 options = dict(zip(sys.argv[1::1], sys.argv[2::1]))
 backend = options["--backend"]
-if backend == "opencl" or (backend == "reference" and options["--precision"] == "float"):
+if (backend == "opencl" and "MADE_DRIVER" not in os.environ) or (backend == "reference" and options["--precision"] == "float"):
     print(f"render: backend {{backend}}: not here", file=sys.stderr)
     sys.exit(77)
 if backend == os.environ.get("MADE_FAILURE"):

@@ -3,26 +3,29 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
 import sys
 import tempfile
 import unittest
 import warnings
 from pathlib import Path
-from types import SimpleNamespace
+from unittest import mock
 
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 
 import made  # noqa: E402
+import made_programs  # noqa: E402
 from mandelreport import flight  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
 from mandelreport.bench import SAME_PEAK, Bench  # noqa: E402
 from mandelreport.blocks import Numbers, ref  # noqa: E402
-from mandelreport.pictures import Cache, Studio  # noqa: E402
-from mandelreport.results import read_results  # noqa: E402
-from mandelreport.sections import Material, gpu, parallel  # noqa: E402
+from mandelreport.errors import write_whole  # noqa: E402
+from mandelreport.pictures import Cache, Key, Studio  # noqa: E402
+from mandelreport.sections import Material, parallel  # noqa: E402
 
 
 class PartsTest(unittest.TestCase):
@@ -39,6 +42,52 @@ class PartsTest(unittest.TestCase):
             '<a class="name" href="#figure-2">Figure 2</a>, <a class="name" href="#table-1">Table 1</a>',
         )
         self.assertEqual(numbers.resolved(ref("other")), "a figure or table without data")
+
+    def test_files_are_written_as_the_programs_write_them(self) -> None:
+        new, kept, link = self.folder / "new", self.folder / "kept", self.folder / "link"
+        kept.write_bytes(b"old")
+        kept.chmod(0o640)
+        link.symlink_to("kept")
+        write_whole(link, b"text")
+        self.assertEqual((link.is_symlink(), kept.read_bytes(), kept.stat().st_mode & 0o777), (True, b"text", 0o640))
+        mask = os.umask(0o027)
+        write_whole(new, b"text")
+        os.umask(mask)
+        self.assertEqual(new.stat().st_mode & 0o777, 0o640)
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+        write_whole(pipe, b"through")
+        self.assertEqual((os.read(reader, 99), pipe.is_fifo()), (b"through", True))
+        os.close(reader)
+        # A name that anybody can foretell is not used, and a link to standard output is not replaced.
+        (self.folder / "new.part").symlink_to("kept")
+        write_whole(new, b"again")
+        (self.folder / "screen").symlink_to("/dev/stdout")
+        command = "import sys; from pathlib import Path; from mandelreport.errors import write_whole; [write_whole(Path(name), b'said') for name in sys.argv[1:]]"
+        with open(self.folder / "said", "w+b") as said:
+            subprocess.run([sys.executable, "-c", command, "-", self.folder / "screen"], stdout=said, check=True, env=os.environ | {"PYTHONPATH": ROOT / "report"})
+            said.seek(0)
+            self.assertEqual(said.read(), b"saidsaid")
+        self.assertEqual((kept.read_bytes(), new.read_bytes()), (b"text", b"again"))
+        with self.assertRaisesRegex(OSError, "^/dev/full: No space left on device$"):
+            write_whole(Path("/dev/full"), b"text")
+        self.assertEqual(list(self.folder.glob(".*")), [])
+
+    def test_pictures_are_of_the_devices_that_are_here(self) -> None:
+        programs = made_programs.programs(self.folder / "bin")
+        key = Key("mandelbulb", "double", "fast", "opencl")
+
+        def drawn() -> tuple[bool, dict[Key, str]]:
+            studio = Studio(programs, Cache(self.folder / "cache"))
+            return studio.picture(key) is not None, studio.reasons
+
+        self.assertEqual(drawn(), (False, {key: "render: backend opencl: not here"}))
+        with mock.patch.dict(os.environ, MADE_DRIVER="2"):
+            self.assertEqual(drawn(), (True, {}))
+            # A picture whose stats are missing, as after a kill, is drawn again.
+            next((self.folder / "cache").glob("*.png.stats")).unlink()
+            self.assertEqual(drawn(), (True, {}))
 
     def test_threads_of_two_cores_are_a_sentence(self) -> None:
         def of(cores: int) -> dict[str, object]:
@@ -148,28 +197,10 @@ class PartsTest(unittest.TestCase):
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "c.json"])
         self.assertEqual(found.primary().name, "a.json")
 
-    def test_a_gpu_that_was_measured_stands_beside_its_prediction(self) -> None:
-        line = "mandelbulb float fast cuda 79 247 63% 49% 0.4 0.3 0.4 0.7\n"
-        files: dict[str, object] = {"h.txt": f"H100 on paper, x\n{line}", "k.txt": f"K40 on paper, x\n{line}"}
-        data = made.bench()
-        row = next(r for r in data["rows"] if (r["fractal"], r["precision"], r["mode"]) == ("mandelbulb", "float", "fast"))
-        row |= {"is_gpu": True, "device_name": "NVIDIA H200", "backend": "cuda", "application": "cuda"}
-        row["setting"] |= {"width": 1920, "height": 1080}
-        row["figures"]["kernel_seconds"] |= {"median": 0.0008, "interval": None}
-        files["bench.json"] = data
-        results = made.read(self.folder / "results", files)
-        found = gpu.section(SimpleNamespace(results=results, backends=results.backends()))["tables"]
-        self.assertEqual([table.caption.partition(":")[0] for table in found], ["K40", "H100"])
-        self.assertNotIn("measured ms", found[0].headers)
-        self.assertEqual(found[1].rows[0][11:14], ["0.7", "0.8", "2.00"])
-
     def test_texts_are_known_by_their_first_line(self) -> None:
-        files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n", "c.txt": "loop mix: y\n"}
-        files |= {"d.txt": "K40 on paper, x\n", "e.txt": "ptxas 11.8, y\n"}
+        files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n"}
         found = made.read(self.folder / "results", files)
         self.assertEqual(found.flight_studies, ["flight study: x\n"])
-        self.assertEqual(found.loop_mix, "loop mix: y\n")
-        self.assertEqual(found.k40, "K40 on paper, x\n\nptxas 11.8, y\n")
 
     def test_negative_levels_have_an_axis(self) -> None:
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])

@@ -92,8 +92,8 @@ class ReportTest(unittest.TestCase):
         for text in ("100 [95.0 – 105]", "1.17 deg", "0.25", "0123456789ab", "OpenMP"):
             self.assertIn(f">{text}", page)
         self.assertIn(">0.12 – 0.99<", page)  # range over two sets of random scenes
-        # The page has the code convergence and a race. In the race's table, a program with a wrong picture has no time.
-        self.assertIn("a convergence of 0.568", page)
+        # The page has the lines of code and a race. In the race's table, a program with a wrong picture has no time.
+        self.assertRegex(page, r"opencl</td><td.*?>1116</td>")
         self.assertRegex(page, r"theirs</td><td>close</td>(<td.*?>){2}457 \[434 – 480\]</td><td.*?>7.77</td>")
         self.assertRegex(page, r"bad</td><td>WRONG</td><td.*?>1.000 %</td><td.*?>–</td><td.*?>–</td>")
         # The page has a sentence on a duel with a build for the processor.
@@ -175,7 +175,8 @@ class ReportTest(unittest.TestCase):
         # Files stay in the folder during the test and are read in the order of their names. The first broken file is
         # reported. Therefore each file below that is broken must come before the broken files that are already there.
         self.refused({"random.json": made.random_scenes() | {"refused": 1}}, "bench: it is refused")
-        self.refused({"bench.json": '{"schema": "mandelmarch-bench", "ver'}, "bench.json", "not JSON")
+        self.refused({"bench.json": '{"schema": "mandelmarch-bench", "ver'}, "bench.json", "expected JSON")
+        self.refused({"bench.json": "[" * 100000}, "bench.json", "nested too deep")
         self.refused({"bench.json": made.bench(), "map.json": made.flight_map() | {"turn": [1.0]}}, "map.json", "frames")
         self.refused({"map.json": {"format": "mandelmarch flight map 1"}}, "map.json", "'fractal' is missing")
         self.refused({"map.json": made.flight_map(), "flight.json": made.audit() | {"schema": 0}}, "flight.json", "schema: 1 was expected")

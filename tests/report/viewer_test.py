@@ -2,7 +2,7 @@
 """viewer_test.py RENDER: the report's viewer computes the same values as the program RENDER, also for odd parameters.
 
 The formulas printed by --list-fractals --json give the values printed by --print-scene. If node is installed, camera.js
-is run, too, and must give the same values, also for the views of the folder views. Negative controls: a value that is
+is run, too, and must give the same values, also for the views of the folder scenes. Negative controls: a value that is
 changed on one side only is detected."""
 
 from __future__ import annotations

@@ -73,13 +73,13 @@ class ResultsTest(ToolTest):
         self.assertEqual(self.results()[0], 1)
 
     def test_a_program_with_a_folder_is_of_the_repository(self):
-        self.write("list", "a.json 0 1 tools/code_divergence.py --json {}\n")
+        self.write("list", "a.json 0 1 tools/lines_of_code.py\n")
         code, said = self.results()
         self.assertEqual(code, 0, said)
-        self.assertIn("mandelmarch-code-divergence", self.read("output/a.json"))
+        self.assertIn("mandelmarch-lines-of-code", self.read("output/a.json"))
         self.assertFalse(os.path.exists(self.path("calls")))
         # Negative control: without its folder, the program is expected in bin/, which lacks it.
-        self.write("list", "b.json 0 1 code_divergence.py --json {}\n")
+        self.write("list", "b.json 0 1 lines_of_code.py\n")
         self.assertNotEqual(self.results()[0], 0)
 
     def test_all_are_measured_and_handed_over(self):

@@ -54,6 +54,13 @@ struct BadLine {
     const char* text;
 };
 
+void PrintTo(const BadLine& bad, std::ostream* out)
+{
+    *out << bad.fractal << ", line " << bad.number << ": " << bad.text;
+}
+
+const std::string no_colouring = std::to_string(colouring_types);
+
 class Refused : public testing::TestWithParam<BadLine> {};
 
 TEST_P(Refused, WithFileAndLine)
@@ -79,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"bulb", 6, "99"}, BadLine{"bulb", 7, "0 -4 8"}, BadLine{"bulb", 7, "0 0 8"},
                     BadLine{"bulb", 7, "0 4 0"}, BadLine{"bulb", 7, "0 4 -8"}, BadLine{"bulb", 7, "4 8"},
                     BadLine{"bulb", 7, "0 4 1e-60"}, BadLine{"bulb", 8, "0 0"}, BadLine{"bulb", 8, "1000000000 0"},
-                    BadLine{"bulb", 8, "1.5 0"}, BadLine{"bulb", 9, "5"}, BadLine{"bulb", 9, "-1"},
+                    BadLine{"bulb", 8, "1.5 0"}, BadLine{"bulb", 9, no_colouring.c_str()}, BadLine{"bulb", 9, "-1"},
                     BadLine{"bulb", 9, "red"}, BadLine{"bulb", 10, "-1"}, BadLine{"bulb", 10, "nan"},
                     BadLine{"box", 7, "0 0.5 1"}, BadLine{"box", 7, "1 0.5 1"}, BadLine{"box", 7, "2 0 1"},
                     BadLine{"box", 7, "2 0.5 0"}, BadLine{"box", 7, "2 1e-30 1"}, BadLine{"box", 8, "18 0"},

@@ -8,7 +8,9 @@
 
 #include "backends/all.h"
 #include "backends/openmp/openmp.h"
+#include "core/base/error.h"
 #include "core/image/compare.h"
+#include "core/render/region.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"
 #include "tests/scenes.h"
@@ -112,6 +114,60 @@ TEST(Trial, ChangesNothingWhereStepsWereFine)
     for (const RendererOptions& options : {exact, unrefined}) {
         EXPECT_TRUE(compare(render(*plain, scene, options), render(*tried, scene, options)).same());
     }
+}
+
+// A backend that draws nothing. Its renderers store the sizes of the pictures and whether a trial chose their steps.
+class Recording : public Backend, public Renderer {
+public:
+    struct Picture {
+        int width, height;
+        bool tried;
+        bool operator==(const Picture&) const = default;
+    };
+    explicit Recording(std::vector<Picture>& pictures) : pictures_(pictures) {}
+    std::string_view name() const override { return "recording"; }
+    std::optional<std::string> unavailable() const override { return std::nullopt; }
+    std::vector<Device> devices() const override { return {Device{}}; }
+    std::unique_ptr<Renderer> create(const RendererOptions&) const override
+    {
+        return std::make_unique<Recording>(pictures_);
+    }
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
+    {
+        pictures_.push_back({image.width(), image.height(), scene.limits.tried});
+        std::ranges::fill(image.bytes(), std::uint8_t{0});
+        if (progress) progress(1);
+        return {};
+    }
+
+private:
+    std::vector<Picture>& pictures_;
+};
+
+TEST(Trial, EndsAfterThePictureInWhichItIsCancelled)
+{
+    std::vector<Recording::Picture> pictures;
+    const auto renderer = with_trials(std::make_unique<Recording>(pictures))->create({.mode = Mode::fast});
+    Image image(320, 320, Image::Layers::bytes);
+    const Scene scene = official_scene("bulb", 320, 320);
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_THROW(renderer->render(scene, image, Progress(source.get_token())), Cancelled);
+    EXPECT_EQ(pictures, (std::vector<Recording::Picture>{{32, 32, false}}));
+    std::vector<double> shares;
+    renderer->render(scene, image, [&](double share) { shares.push_back(share); });
+    EXPECT_EQ(shares, (std::vector<double>{0, 0, 1}));
+}
+
+TEST(Trial, OfTheFirstStripServesTheWholeRegion)
+{
+    std::vector<Recording::Picture> pictures;
+    const auto renderer = with_trials(std::make_unique<Recording>(pictures))->create({.mode = Mode::fast});
+    const RenderStats report =
+        render_region(*renderer, official_scene("bulb", 4096, 4096), {7, 0, 40, 2048}, Image::Layers::bytes).second;
+    EXPECT_EQ(pictures, (std::vector<Recording::Picture>{
+                            {32, 32, false}, {32, 32, false}, {4096, 1024, false}, {4096, 1024, true}}));
+    EXPECT_EQ(report.step_factor, plain_step_factor);
 }
 
 }  // namespace

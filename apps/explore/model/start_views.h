@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views to start from: the parameter files of the folder views, which the build embeds in the program.
+// Views to start from: the parameter files of the folder scenes, which the build embeds in the program.
 #pragma once
 
 #include <span>

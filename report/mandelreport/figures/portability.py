@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pennycook's metric of performance portability: a cascade over the platforms, best first, and a chart of the metric
-against code convergence."""
+"""Pennycook's metric of performance portability: a cascade over the platforms, best first."""
 
 from typing import Any
 
@@ -48,40 +47,3 @@ def cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
         "Cascade: the metric over the first 1, 2, ... platforms in order of decreasing efficiency (marks and lines), and the "
         "efficiency on each platform (dashes). Filled marks: double; open marks: float.",
     )
-
-
-def navigation(entries: list[dict[str, Any]], divergence: dict[str, Any], backends: Backends) -> Figure | None:
-    """Shows the navigation chart: the metric over code convergence. A single backend has one source for all its
-    platforms; all backends together share only the kernel source."""
-    names = [model["backend"] for model in divergence["models"]]
-    best: dict[str, list[float]] = {}
-    for entry in entries:
-        if entry["application"] in names:
-            best.setdefault(entry["application"], []).append(entry["by_application_efficiency"])
-    if not best:
-        return None
-    figure, [[axis]] = style.panels(1, 1, 8, 3)
-    said = []
-    for name, values in best.items():
-        mean = sum(values) / len(values)
-        axis.plot([1], [mean], linestyle="", label=name, **_mark(backends.number_of(name)))
-        said.append(f"{name} {digits(mean)}")
-    together, apart = divergence["convergence"], divergence["convergence_without_shared_kernel"]
-    axis.plot([together], [1], "k*", markersize=14, label=f"all {len(names)}, one kernel source")
-    axis.plot([apart], [1], "kx", markersize=10, label=f"all {len(names)}, one source each")
-    axis.annotate("", (together, 0.985), (apart, 0.985), arrowprops={"arrowstyle": "->", "color": "0.5"})
-    axis.set(xlim=(0, 1.05), ylim=(0, 1.08), xlabel="code convergence", ylabel="performance portability")
-    figure.legend(loc="outside right center", fontsize=8)
-    return style.block(
-        figure,
-        f"Navigation chart. Convergence of all backends {digits(together)}, with one source each {digits(apart)}. Portability: "
-        f"{', '.join(said)}.",
-        "Navigation chart. A single backend needs one source, so it is at the right edge, at its mean portability over all "
-        "problems; its efficiency is the best backend's time over its own. For all backends together, the fastest on each "
-        "platform counts. The arrow shows the gain in shared lines of code from one kernel source instead of one per model.",
-    )
-
-
-def _mark(number: int) -> dict[str, Any]:
-    look = style.line(number)
-    return {key: look[key] for key in ("marker", "color") if key in look}

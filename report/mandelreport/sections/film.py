@@ -56,7 +56,7 @@ def _frame() -> Figure:
 
 def section(material: Material) -> dict[str, Any]:
     results = material.results
-    map_command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
+    map_command = "bin/flythrough plan path.json --fractal bulb --map results/map_bulb.json"
     ground = figures.ground(results.maps[-1]) if results.maps else None
     promises = [row for audit in results.audits for row in audit["rows"] if row["promise"]]
     return {
@@ -64,7 +64,7 @@ def section(material: Material) -> dict[str, Any]:
         "steps": figures.steps(),
         "cost": material.answers.film(),
         "films": [_table(film) for film in results.films]
-        or [Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary report/results/film.json")],
+        or [Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary results/film.json")],
         "map": seen(ground, GROUND) or Missing("The map and the path", map_command),
         "sheets": [_sheet(path) for path in results.contact_sheets]
         or [Missing("The contact sheet", "make contact-sheet")],

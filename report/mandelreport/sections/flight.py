@@ -38,14 +38,14 @@ def section(material: Material) -> dict[str, Any]:
     results = material.results
     # The last flight's map of balls appears in the main part.
     maps = [(figures.ground(m) if m is not results.maps[-1] else None, figures.over_time(m), m) for m in results.maps]
-    command = "bin/flythrough plan path.json --fractal bulb --map report/results/map_bulb.json"
+    command = "bin/flythrough plan path.json --fractal bulb --map results/map_bulb.json"
     return {
         "seed_to_path": chapter("docs/flight.md", "From the seed to the path"),
         "audit_text": chapter("docs/flight.md", "The audit"),
         "maps": maps,
         "no_maps": Missing("The map, the path and its measurements", command),
         "audits": [_audit_table(audit) for audit in results.audits]
-        or [Missing("The audit", "bin/flythrough audit path.json --json report/results/flight_bulb.json")],
+        or [Missing("The audit", "bin/flythrough audit path.json --json results/flight_bulb.json")],
         "studies": [Output(study) for study in results.flight_studies]
-        or [Missing("The study of seeds, anti-aliasing and segments", "make flight-study")],
+        or [Missing("The study of seeds", "make flight-study")],
     }

@@ -102,9 +102,9 @@ def section(material: Material) -> dict[str, Any]:
         "distribution": Table(["backend", "distribution of the work"], DISTRIBUTION, "Distribution of pixels and frames."),
         "directives": [(file, code(file, begin)) for file, begin in DIRECTIVES],
         "profiles": profiles
-        or [Missing("The profile", "bin/bench --study profile --json report/results/profile.json")],
+        or [Missing("The profile", "bin/bench --study profile --json results/profile.json")],
         "scaling": _scaling(material),
         "threads": _threads(material),
         "ablation": ablations
-        or [Missing("The ablation", "bin/bench --study ablation --json report/results/ablation.json")],
+        or [Missing("The ablation", "bin/bench --study ablation --json results/ablation.json")],
     }

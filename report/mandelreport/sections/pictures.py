@@ -156,7 +156,7 @@ def _range(values: list[float], places: int) -> str:
     return f"{min(values):.{places}f} – {max(values):.{places}f}"
 
 
-def _random(results: list[dict[str, Any]]) -> Table:
+def random_errors(results: list[dict[str, Any]]) -> Table:
     """Returns a table of the results of `bench random`: the errors of fast pictures of random scenes."""
     rows = []
     for data in results:
@@ -224,9 +224,9 @@ def section(material: Material) -> dict[str, Any]:
         "tables": tables,
         "float": _float_against_double(material, pictures),
         "flip": _flip(material, pictures),
-        "random": _random(material.results.random)
+        "random": random_errors(material.results.random)
         if material.results.random
-        else Missing("Fast pictures of random scenes", "bin/bench random --json report/results/random.json"),
+        else Missing("Fast pictures of random scenes", "bin/bench random --json results/random.json"),
         "devices": Table(
             ["backend", "device"], [list(entry) for entry in devices], "Devices that rendered the pictures of this section."
         ),

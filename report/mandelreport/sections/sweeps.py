@@ -45,7 +45,7 @@ def sweep(material: Material, study: str, x_title: str, y: str, caption: str) ->
         figure = sweeps.sweep(bench, x_title, Y_TITLES[y], about, y, ideal=study == "threads")
         if figure:
             blocks.append(figure)
-    return blocks or [Missing(f"The study {study}", f"bin/bench --study {study} --json report/results/{study}.json")]
+    return blocks or [Missing(f"The study {study}", f"bin/bench --study {study} --json results/{study}.json")]
 
 
 def section(material: Material) -> dict[str, Any]:

@@ -5,7 +5,7 @@ import json
 from typing import Any
 
 from ..bench import Bench, Row
-from ..blocks import Missing, Output, Table, data_uri
+from ..blocks import Missing, Table, data_uri
 from ..errors import output_of
 from ..figures import portability
 from ..models import label
@@ -29,7 +29,7 @@ def quotient_cell(row: Row, key: str) -> str:
     return "1" if value == 1 else with_interval(value, row.figures[f"{key}_interval"])
 
 
-def _timings(material: Material, bench: Bench) -> Table:
+def timings(material: Material, bench: Bench) -> Table:
     """Returns a table with a line for each timed row of the primary study."""
     host, backends = material.backends.host, material.backends
 
@@ -142,19 +142,9 @@ def _simd_widths(material: Material) -> Table | None:
     return Table(headers, rows, "Speed-up of packs over the scalar kernel on the same threads.", [4, 5, 6]) if rows else None
 
 
-def _lines_of_code(divergence: dict[str, Any]) -> Table:
-    rows = [
-        [m["backend"], str(m["lines"]), str(m["lines_of_job"]), str(m["lines_of_kernel"]), digits(nearest, 2), neighbour]
-        for m in divergence["models"]
-        for nearest, neighbour in [min((d, name) for name, d in m["distances"].items() if name != m["backend"])]
-    ]
-    return Table(
-        ["backend", "own lines", "of core/job", "of core/kernel", "distance", "from"],
-        rows,
-        "Lines of code of each backend, and the distance to the nearest other one (the fraction of the lines of both that they do not "
-        f"share). Mean over all pairs: {digits(1 - divergence['convergence'])}, a convergence of {digits(divergence['convergence'])}.",
-        [1, 2, 3, 4],
-    )
+def lines_of_code(models: list[dict[str, Any]]) -> Table:
+    rows = [[str(m[key]) for key in ("backend", "lines", "lines_of_job", "lines_of_kernel")] for m in models]
+    return Table(["backend", "own lines", "of core/job", "of core/kernel"], rows, "Lines of code that each backend needs.", [1, 2, 3])
 
 
 def _race(race: dict[str, Any]) -> Table:
@@ -180,13 +170,12 @@ def section(material: Material) -> dict[str, Any]:
     not_measured = {entry["application"]: entry["not_measured"] for entry in entries if entry["not_measured"]}
     primary = material.answers.primary
     tables = [
-        _timings(material, primary) if primary else None,
+        timings(material, primary) if primary else None,
         _simd_widths(material),
         _peaks(material),
         factor_table(material),
         *map(_race, material.results.races),
     ]
-    divergence, mix = material.results.code_divergence, material.results.loop_mix
     return {
         "tables": [table for table in tables if table],
         "csv": data_uri("text/csv", material.timings.encode()) if material.timings else None,
@@ -195,9 +184,5 @@ def section(material: Material) -> dict[str, Any]:
         "missing": Missing("The timings", "make bench"),
         "portability": _portability_table(metric, not_measured),
         "cascade": portability.cascade(metric, material.backends),
-        "lines_of_code": _lines_of_code(divergence) if divergence else None,
-        "navigation": portability.navigation(metric, divergence, material.backends) if divergence else None,
-        "loop_mix": Output(mix, wide=False)
-        if mix
-        else Missing("The instructions of the estimators' loops", "make loop-mix"),
+        "lines_of_code": lines_of_code(material.results.lines_of_code) if material.results.lines_of_code else None,
     }

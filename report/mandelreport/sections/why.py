@@ -150,7 +150,7 @@ def section(material: Material) -> dict[str, Any]:
     first = max(studies, key=lambda bench: (len(bench.values("backend")), len(bench.rows)), default=None)
     return {
         "study": _study(material, first) if first else None,
-        "missing": Missing("The answer", "bin/bench --study box-vs-bulb --json report/results/box-vs-bulb.json"),
+        "missing": Missing("The answer", "bin/bench --study box-vs-bulb --json results/box-vs-bulb.json"),
         "ratios": seen(
             figure,
             "a register holds two floats per double, and the estimators' loops have more instructions in double "

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: Apache-2.0
+"""python -m mandelreport.results_page [--check]: writes docs/results.md, and the figures of README.md between its two
+markers, from the result files. --check writes nothing.
+
+Exit codes: 0 success, 1 a page is not that of the result files, 2 wrong arguments or bad input."""
+
+import argparse
+import html
+import os
+import re
+import sys
+import textwrap
+from collections.abc import Iterable
+from pathlib import Path
+
+from . import viewer
+from .bench import Bench, Row
+from .blocks import Table
+from .errors import InputError, run_program, write_whole
+from .pictures import Cache, Studio
+from .results import RESULTS, Results, read_results
+from .sections import Material, front, pictures, tables
+from .text import ms, percent, with_interval
+
+ROOT = Path(__file__).parents[2]
+MARKED = re.compile("(?<=<!-- results -->\n).*?(?=<!-- end -->)", re.S)  # the figures of README.md
+TAGS = [
+    (r'<span class="screen">.*?</span>', ""),
+    (r"<h3>(.*?)</h3>", r"### \1"),
+    (r"</?p( [^>]*)?>", "\n\n"),
+    (r"</?code>", "`"),
+    (r"</?strong>", "**"),
+    (r"</?[a-z][^>]*>", ""),
+    (r"^#.*$", r"\n\n\g<0>\n\n"),
+]
+
+
+def markdown(text: str) -> str:
+    """Returns a filled template as Markdown, in lines of at most 120 columns unless they are tables. The text may have
+    the tags of the report's front page."""
+    for tag, instead in TAGS:
+        text = re.sub(tag, instead, text, flags=re.M if tag[0] == "^" else re.S)
+    blocks = re.split(r"\n\s*\n", html.unescape(text).strip())
+    return "\n\n".join(block if block[0] in "|#" else "\n".join(map(_lines, re.split(r"\n(?=- )", block))) for block in blocks) + "\n"
+
+
+def _lines(text: str) -> str:
+    """Breaks a paragraph or a list's item into lines, but not within brackets."""
+    whole = re.sub(r"\[[^]]*\]", lambda found: found[0].replace(" ", "\0"), " ".join(text.split()))
+    hang = "  " if text.startswith("- ") else ""
+    return textwrap.fill(whole, 120, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False).replace("\0", " ")
+
+
+def _cell(bench: Bench, row: Row, what: str) -> str:
+    """Formats a value of a row: visibly_off, a time, a speed-up, or the ratio that answers the question `what`."""
+    if what == "visibly_off":
+        return percent(row.visibly_off)
+    if what in ("kernel", "wall"):
+        return with_interval(getattr(row, what).median, getattr(row, what).interval, ms)
+    if what not in bench.data["questions"]:
+        return tables.quotient_cell(row, what)
+    found = bench.compared(what, row)
+    return with_interval(found.median, found.interval) if found else "–"
+
+
+def _pivoted(cells: Iterable[tuple[str, str, str]], caption: str) -> Table:
+    """Returns a table of cells, each given with the names of its line and its column."""
+    lines: dict[str, dict[str, str]] = {}
+    for line, column, text in cells:
+        if text != "–":
+            lines.setdefault(line, {})[column] = text
+    columns = list(dict.fromkeys(column for of in lines.values() for column in of))
+    return Table(["", *columns], [[line, *(of.get(column, "–") for column in columns)] for line, of in lines.items()], caption)
+
+
+class Page:
+    """The values and functions for the templates. `name`, `names`: files without `.json`."""
+
+    def __init__(self, results: Results):
+        none = Path(os.devnull)
+        self.results, self.material = results, Material(results, Studio(none, Cache(none)), none)
+        self.front = front.section(self.material)
+        self.random, self.lines_of_code = pictures.random_errors(results.random), tables.lines_of_code(results.lines_of_code)
+
+    def bench(self, name: str) -> Bench:
+        found = next((bench for bench in self.results.benches if bench.name == f"{name}.json"), None)
+        if found is None:
+            raise InputError(f"{name}.json: the page needs this result of bench")
+        return found
+
+    def timings(self, name: str) -> Table:
+        return tables.timings(self.material, self.bench(name))
+
+    def pivot(self, names: str, lines: str, columns: str, what: str, **wanted: str) -> Table:
+        """Returns a table of the values `what` of timed rows. `lines`, `columns`: the fields of a row that name its
+        line and its column."""
+
+        def of(row: Row, fields: str) -> str:
+            return ", ".join(getattr(row, field) for field in fields.split())
+
+        benches = [self.bench(name) for name in names.split()]
+        cells = ((of(row, lines), of(row, columns), _cell(bench, row, what)) for bench in benches for row in bench.timed(**wanted))
+        return _pivoted(cells, f"{', '.join(bench.name for bench in benches)}; {benches[0].machine}.")
+
+    def duel(self, name: str) -> Table:
+        """Returns a table of the speed-ups of a duel's second program over the first."""
+        duel = self.results.files[f"{name}.json"]
+        cells = []
+        for one in (one for one in duel["verdicts"] if "/" in one["name"]):
+            *kind, backend = one["name"].split("/")[:4]
+            cells.append((", ".join(kind), backend, with_interval(1 / one["ratio"], [1 / end for end in reversed(one["interval"])])))
+        return _pivoted(cells, f"{name}.json: {duel['new']['environment']['build']['compiler']}.")
+
+    def files(self) -> Table:
+        rows = []
+        for bench in self.results.benches:
+            git = bench.environment["git"]
+            revision = git["revision"][:7] + (" and changes" if git["dirty"] else "")
+            rows.append([bench.name, bench.study, bench.machine, str(bench.data["runs"]), bench.environment["date"][:10], revision])
+        return Table(["file", "study", "machine", "runs", "date", "revision"], rows, "All results of bench.")
+
+
+def pages(results: Results) -> dict[Path, str]:
+    """Returns the text of each page with figures."""
+    page, readme = Page(results), ROOT / "README.md"
+    figures, whole = (
+        markdown(viewer.environment().get_template(f"{name}.md.j2").render(macros="macros.md.j2", s=page.front, page=page, ms=ms, folder=f"../{RESULTS}"))
+        for name in ("readme", "results")
+    )
+    marked, places = MARKED.subn(lambda _: figures, readme.read_text(encoding="utf-8"))
+    if places != 1:
+        raise InputError(f"{readme}: {places} places for figures, expected one between <!-- results --> and <!-- end -->")
+    return {readme: marked, ROOT / "docs" / "results.md": whole}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="results_page", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="write nothing; exit code 1 if a page differs")
+    check, code = parser.parse_args().check, 0
+    for path, text in pages(read_results(ROOT / RESULTS)).items():
+        if not check:
+            write_whole(path, text.encode())
+        elif path.read_text(encoding="utf-8") != text:
+            print(f"results_page: {path} is not that of {RESULTS}: make results-page", file=sys.stderr)
+            code = 1
+    return code
+
+
+if __name__ == "__main__":
+    run_program("results_page", main)
