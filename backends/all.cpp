@@ -5,9 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <atomic>
 #include <span>
 #include <string_view>
 
+#include "core/base/cores.h"
 #include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/isolation/isolated.h"
@@ -79,11 +81,23 @@ Registry backends_of(bool isolates_drivers, const std::vector<std::string>& open
 
 }  // namespace
 
-Registry all_backends() { return backends_of(false, {}); }
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): what a process cannot undo
+static std::atomic<bool> drivers_may_be_open = false;
+
+Registry all_backends()
+{
+    drivers_may_be_open = true;
+    return backends_of(false, {});
+}
 
 Registry program_backends(int argc, char** argv)
 {
-    return backends_of(isolates({argv, static_cast<std::size_t>(argc)}), opened_backends());
+    const bool isolated = isolates({argv, static_cast<std::size_t>(argc)});
+    if (isolated && drivers_may_be_open) {
+        throw Error("program_backends() after all_backends(): a driver opened in this process would hang in others");
+    }
+    static_cast<void>(usable_threads());
+    return backends_of(isolated, opened_backends());
 }
 
 }  // namespace mandelmarch

@@ -13,7 +13,9 @@ Registry all_backends();
 // each device's driver runs in a separate process (core/isolation/isolated.h). With the argument --no-isolation or the
 // environment variable MANDELMARCH_ISOLATION=off, drivers run in the program's own process, where profilers and
 // debuggers can observe them. MANDELMARCH_BACKENDS lists the backends whose drivers may be opened, separated by commas.
-// Throws InputError if one of these variables has an invalid value.
+// Throws InputError if one of these variables, or OMP_NUM_THREADS, has an invalid value. Throws Error if all_backends()
+// was called before and drivers are to run in separate processes, because a driver that is open in this process hangs
+// in a process that is forked from it.
 Registry program_backends(int argc, char** argv);
 
 }  // namespace mandelmarch

@@ -57,10 +57,14 @@ endfunction()
 # Adds four builds: with clang, the program whose pictures are compared with this build's; with each of two sanitizers,
 # the programs to test; and the programs and tests for every fractal, with tests/fractals/sierpinski as the only
 # fractal.
+set(micro "")
+if(TARGET bench_micro)
+    set(micro bench_micro)
+endif()
 mandelmarch_sibling(clang 1 render)
 mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
 mandelmarch_sibling(tsan 2 same_bits_test data_race)
-mandelmarch_sibling(fractal 3 bench render flythrough imgdiff every_fractal_test equivalence_test)
+mandelmarch_sibling(fractal 3 bench ${micro} render flythrough imgdiff every_fractal_test equivalence_test)
 set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
 mandelmarch_script(same_bits.compilers siblings/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
 set_tests_properties(same_bits.compilers PROPERTIES FIXTURES_REQUIRED clang WORKING_DIRECTORY ${source})

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "core/render/agreement.h"
 #include "core/scene/fractal.h"
 #include "core/scene/random_scene.h"
 
@@ -146,6 +147,12 @@ std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed)
         }
     }
     return scenes;
+}
+
+std::string trace_command(const Scene& scene, const RendererOptions& options, std::int64_t pixel)
+{
+    return fmt::format("{} --pixel {},{} --trace", render_command(scene, options), pixel % scene.width,
+                       pixel / scene.width);
 }
 
 Image render(const Backend& backend, const Scene& scene, const RendererOptions& options)

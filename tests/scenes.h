@@ -25,6 +25,9 @@ std::vector<NamedScene> random_scenes(int per_fractal, unsigned seed);
 // Returns a look in which every number of the kernel has an effect.
 LookValues cloudy_look();
 
+// Returns the command that traces a pixel of the scene, given by its index.
+std::string trace_command(const Scene& scene, const RendererOptions& options, std::int64_t pixel);
+
 // Renders a picture with all layers.
 Image render(const Backend& backend, const Scene& scene, const RendererOptions& options);
 

@@ -7,6 +7,7 @@
 #include "backends/opencl/executor.h"
 #include "core/base/environment.h"
 #include "core/base/files.h"
+#include "core/base/memory.h"
 #include "core/render/peak.h"
 #include "core/render/spacing.h"
 #include "core/scene/fractal.h"
@@ -169,6 +170,13 @@ double measured_peak(const cl::Device& device, const Build& build)
     return highest_rate(run, static_cast<double>(items) * build.lanes);
 }
 
+// Returns the reason why a list of devices is empty. Throws Error if the system refuses what a driver needs.
+std::string no_device()
+{
+    refuse_shortage("backend opencl: listing devices");
+    return "no OpenCL device: no driver is installed, such as pocl-opencl-icd for the CPU, or it has no device";
+}
+
 class OpenclBackend : public Backend {
 public:
     std::string_view name() const override { return "opencl"; }
@@ -196,7 +204,7 @@ public:
     std::optional<std::string> unavailable() const override
     {
         if (!all_devices().empty()) return std::nullopt;
-        return "no OpenCL device: no driver is installed, such as pocl-opencl-icd for the CPU, or it has no device";
+        return no_device();
     }
 
     std::vector<Device> devices() const override
@@ -229,7 +237,7 @@ private:
     cl::Device device_of(const RendererOptions& options) const
     {
         const auto devices = all_devices();
-        if (devices.empty()) throw Unavailable("backend opencl: " + *unavailable());
+        if (devices.empty()) throw Unavailable("backend opencl: " + no_device());
         const auto index = static_cast<std::size_t>(options.device);
         if (index >= devices.size()) {
             throw Unavailable(fmt::format("backend opencl: there is no device {}, only {} of them, from 0",

@@ -33,9 +33,6 @@ namespace uncounted {
 #include "backends/openmp/packs/kernel.h"
 #undef MM_COUNTED
 }  // namespace uncounted
-namespace best = uncounted;
-#else
-namespace best = counted;
 #endif
 
 // Returns the variants for this instruction set. The best one is last.
@@ -52,8 +49,6 @@ HWY_MAYBE_UNUSED VariantList<MM_REAL> list()
     };
 #ifdef MANDELMARCH_ONE_WIDTH
     add(counted::narrow::pack_lanes, true, counted::narrow::draw<counted::narrow::sampling, counted::narrow::shading>);
-    namespace best_samples = best::narrow;
-    namespace best_shading = best::narrow;
 #else
     add(counted::narrow::pack_lanes, true, counted::narrow::draw<counted::narrow::sampling, counted::pair::shading>);
     add(counted::wide::pack_lanes, true, counted::narrow::draw<counted::wide::sampling, counted::pair::shading>);
@@ -61,12 +56,7 @@ HWY_MAYBE_UNUSED VariantList<MM_REAL> list()
     add(uncounted::wide::pack_lanes, false,
         uncounted::narrow::draw<uncounted::wide::sampling, uncounted::pair::shading>);
 #endif
-    namespace best_samples = best::wide;
-    namespace best_shading = best::pair;
 #endif
-    Variant<MM_REAL>& best_variant = variants.of[variants.count - 1];
-    best_variant.profile = best::narrow::profile<best_samples::sampling, best_shading::shading>;
-    best_variant.profile_memory = sizeof(best::narrow::ProfileMemory);
     return variants;
 }
 #endif

@@ -14,10 +14,6 @@
 
 namespace mandelmarch::openmp {
 
-// Stages of a picture, in the order of the kernel source.
-enum class Stage { begin, march, refine, normal, shade, output };
-inline constexpr int stages = 6;
-
 constexpr int pool_rays = 4096;  // large enough for few gaps in packs, small enough for a core's cache
 constexpr int most_lanes = 64;   // per pack
 
@@ -73,20 +69,13 @@ template <class Real>
 using DrawTiles = WorkCounts (*)(const KernelScene<Real>& scene, const Canvas<Real>& canvas, const Tiles& tiles,
                                  void* memory);
 
-// Renders tiles like DrawTiles, and adds the seconds of each Stage, measured with `clock`, to `seconds`.
-template <class Real>
-using ProfileTiles = void (*)(const KernelScene<Real>& scene, const Canvas<Real>& canvas, const Tiles& tiles,
-                              void* memory, double (*clock)(), double* seconds);
-
 template <class Real>
 struct Variant {
     const char* instruction_set;
     int pack;      // pixels rendered at once
     bool counted;  // the variant counts work and can store planes
     DrawTiles<Real> draw;
-    std::size_t memory;                    // bytes per thread, aligned to 64
-    ProfileTiles<Real> profile = nullptr;  // for the best variant only; renders the same picture as `draw`
-    std::size_t profile_memory = 0;
+    std::size_t memory;  // bytes per thread, aligned to 64
 };
 
 // The variants in packs that this machine can run, for one fractal, precision and mode; the best is last.

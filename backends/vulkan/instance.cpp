@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/base/cores.h"
+#include "core/base/memory.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::vulkan {
@@ -24,6 +25,7 @@ vk::raii::Context open_loader()
     try {
         return {};
     } catch (const std::exception&) {
+        refuse_shortage("backend vulkan: opening the loader");
         throw Unavailable("no Vulkan loader is installed (libvulkan.so.1)");
     }
 }
@@ -38,6 +40,7 @@ vk::raii::Instance open_instance(const vk::raii::Context& context)
         const vk::ApplicationInfo application("mandelmarch", 0, nullptr, 0, VK_API_VERSION_1_1);
         return {context, vk::InstanceCreateInfo({}, &application)};
     } catch (const vk::IncompatibleDriverError&) {
+        refuse_shortage("backend vulkan: opening drivers");
         throw Unavailable("no Vulkan driver is installed");
     } catch (const vk::SystemError& error) {
         throw Unavailable("no Vulkan instance: " + describe(error));

@@ -12,7 +12,7 @@
 namespace mandelmarch::vulkan {
 
 // An open loader and its devices. The constructor throws Unavailable if no loader or no driver is installed; the
-// exception's message is the reason without the backend's name.
+// exception's message is the reason without the backend's name. Throws Error for the reasons of refuse_shortage().
 class Instance {
 public:
     Instance();

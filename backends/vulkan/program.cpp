@@ -7,11 +7,11 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "core/base/environment.h"
 #include "core/base/hash.h"
+#include "core/base/input_file.h"
 #include "core/base/output_file.h"
 
 namespace mandelmarch::vulkan {
@@ -38,20 +38,10 @@ std::string cache_folder()
     return {};
 }
 
-// Returns true if the path is a regular file or does not exist; false for pipes and other kinds of files, from which
-// reading could block.
-bool may_hold_cache(const std::string& path)
-{
-    std::error_code ignored;
-    const auto type = std::filesystem::status(path, ignored).type();
-    return type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found;
-}
-
 // Returns the content of the cache file without its header; empty if the file is missing or damaged.
 Bytes read_cache(const std::string& path)
 {
-    std::ifstream file(path, std::ios::binary);
-    const Bytes bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string bytes = own_file(path).value_or("");
     FileHeader header{};
     if (bytes.size() < sizeof header) return {};
     std::memcpy(&header, bytes.data(), sizeof header);
@@ -83,11 +73,7 @@ PipelineCache::PipelineCache(const Gpu& gpu, Module module)
         for (const std::uint8_t byte : properties.pipelineCacheUUID) uuid += fmt::format("{:02x}", byte);
         path_ = fmt::format("{}/vulkan-{}-{:08x}-{:016x}.bin", folder, uuid, properties.driverVersion,
                             fnv1a(module.data(), module.size_bytes()));
-        if (may_hold_cache(path_)) {
-            known_ = read_cache(path_);
-        } else {
-            path_.clear();
-        }
+        known_ = read_cache(path_);
         if (!is_of(properties, known_)) known_.clear();
     }
     handle_ = attempt(gpu.name(), "opening a pipeline cache", [&] {
@@ -104,7 +90,7 @@ void PipelineCache::save()
         std::error_code ignored;
         std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), ignored);
         const FileHeader header{magic, fnv1a(content.data(), content.size())};
-        OutputFile file(path_);
+        OutputFile file(path_, NamedBy::program);
         file.write(&header, sizeof header);
         file.write(content.data(), content.size());
         file.commit();

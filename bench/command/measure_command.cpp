@@ -25,24 +25,21 @@ struct Measurement {
     Options options;
     Result result;
     Outputs outputs;
-    bool list = false, list_names = false, wide = false;
+    bool list = false, wide = false;
     bool quiet = false;      // no table and no progress, as in further runs
     bool on_demand = false;  // render the pictures that a duel requests
     bool unproven = false;   // with on_demand: skip verification, as in all runs of a duel after the first
-    std::string format;      // format of Google Benchmark for standard output; empty: bench's own table
-    std::string out, out_format = "json";
 };
 
-void list(const Registry& registry, const Options& options, bool names_only)
+void list(const Registry& registry, const Options& options)
 {
     for (const Case& one : cases_of(registry, options)) {
         if (one.backend != nullptr) {
             print("{}\n", one.row.name());
-        } else if (!names_only) {
+        } else {
             print("{}: unavailable: {}\n", one.row.backend, one.row.unavailable);
         }
     }
-    if (names_only) return;
     print("\nstudies (--study NAME; --study NAME --list lists its configurations)\n");
     for (const Study& study : studies()) {
         print("  {:<12} {}{}\n", study.name, study.about,
@@ -50,24 +47,11 @@ void list(const Registry& registry, const Options& options, bool names_only)
     }
 }
 
-// Adds Google Benchmark's options that choose an output.
-void add_google_options(CLI::App& app, Measurement& m)
-{
-    const CLI::IsMember formats({"console", "json", "csv"});
-    app.add_option("--benchmark_format", m.format, "print in Google Benchmark's format: console, json or csv")
-        ->check(formats);
-    app.add_option("--benchmark_out", m.out, "write Google Benchmark's format to this file");
-    app.add_option("--benchmark_out_format", m.out_format, "format of that file")
-        ->check(formats)
-        ->capture_default_str();
-    app.add_flag("--benchmark_list_tests", m.list_names, "list the names of configurations; measure nothing");
-}
-
 void add_options(CLI::App& app, const Registry& registry, Measurement& m)
 {
     Options& o = m.options;
     add_selection(app, registry, o);
-    app.add_option("--repetitions,--benchmark_repetitions", o.repetitions,
+    app.add_option("--repetitions", o.repetitions,
                    "exact number of rounds (default: until the medians' confidence intervals are narrow, within limits "
                    "on rounds and time)")
         ->check(whole(1, 100'000));
@@ -90,7 +74,6 @@ void add_options(CLI::App& app, const Registry& registry, Measurement& m)
     app.add_flag("--wide", m.wide, "print all columns, in long lines");
     app.add_flag("--peaks,!--no-peaks", o.peaks,
                  "measure (default) or skip the peak rate of multiply-adds of every device");
-    add_google_options(app, m);
     app.add_option("--run", o.run)->check(whole(0, 1000))->group("");
     app.add_flag("--quiet", m.quiet)->group("");
     app.add_flag("--on-demand", m.on_demand)->group("");
@@ -105,8 +88,7 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& word = arguments[i];
         const auto is = [&](const std::string& name) { return word == name || word.starts_with(name + "="); };
-        if (is("--json") || is("--csv") || is("--runs") || is("--benchmark_format") || is("--benchmark_out") ||
-            is("--benchmark_out_format")) {
+        if (is("--json") || is("--csv") || is("--runs")) {
             if (word.find('=') == std::string::npos) ++i;
         } else if (word != "--wide") {
             kept.push_back(word);
@@ -133,8 +115,7 @@ Outputs::Done measured(Measurement& m, const Registry& registry, const std::vect
         if (row.failed()) say("bench: {}: {}\n", row.name(), printable(row.failure));
     }
     const bool passed = !m.result.failed() && m.result.runs == runs;
-    // With --benchmark_format, only data in that format goes to standard output.
-    if (m.quiet || !m.format.empty()) return {"", passed};
+    if (m.quiet) return {"", passed};
     return {m.result.study == demo_study ? demo_table(m.result) : to_console(m.result, m.wide), passed};
 }
 
@@ -150,13 +131,10 @@ Run measure_command(CLI::App& app, const Registry& registry, const std::vector<s
             draw_on_demand(registry, m->options, !m->unproven);
             return exit_success;
         }
-        if (m->list || m->list_names) {
-            list(registry, m->options, m->list_names);
+        if (m->list) {
+            list(registry, m->options);
             return exit_success;
         }
-        m->outputs.add("--benchmark_out", m->out, [m] { return to_google_benchmark(m->result, m->out_format); });
-        m->outputs.add("--benchmark_format", m->format.empty() ? "" : "-",
-                       [m] { return to_google_benchmark(m->result, m->format); });
         return m->outputs.deliver({}, [&] { return measured(*m, registry, arguments); });
     };
 }

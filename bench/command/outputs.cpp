@@ -26,12 +26,6 @@ void refuse_kept_result(const std::string& path, const std::string& results, boo
     throw InputError(path + ": bench was built of sources that no commit has, expected a file outside results/");
 }
 
-void Outputs::add(std::string option, std::string path, std::function<std::string()> text)
-{
-    if (path.empty()) return;
-    outputs_.push_back({std::move(option), std::make_shared<std::string>(std::move(path)), std::move(text)});
-}
-
 void Outputs::check(const std::vector<std::string>& read) const
 {
     std::vector<NamedFile> written;

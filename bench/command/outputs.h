@@ -18,11 +18,7 @@ void refuse_kept_result(const std::string& path, const std::string& results, boo
 // of them does not affect the others.
 class Outputs {
 public:
-    // Adds an output; an empty path adds nothing. `option`: name of the option, for messages. `text` returns the
-    // contents; it is called when the output is written.
-    void add(std::string option, std::string path, std::function<std::string()> text);
-
-    // Declares an option that names an output, with `text` as in add().
+    // Declares an option that names an output. `text` returns the contents; it is called when the output is written.
     void option(CLI::App& app, const std::string& name, const std::string& about, std::function<std::string()> text);
 
     // Checks the outputs, calls work(), and writes the outputs and work()'s table. The table goes to standard output

@@ -202,14 +202,6 @@ inline constexpr auto fields_of<Counted> =
              fields_of<Count>);
 
 template <>
-inline constexpr auto fields_of<StageTime> = Description{"stage_time",
-                                                         field("fractal", &StageTime::fractal),
-                                                         field("precision", &StageTime::precision),
-                                                         field("mode", &StageTime::mode),
-                                                         field("stage", &StageTime::stage),
-                                                         field("seconds", &StageTime::seconds, "", rules::seconds)};
-
-template <>
 inline constexpr auto fields_of<Ratio> =
     Description{"ratio", field("numerator", &Ratio::numerator), field("denominator", &Ratio::denominator),
                 field("ratio", &Ratio::ratio)};
@@ -299,7 +291,6 @@ inline constexpr auto fields_of<Result> =
                 field("warnings", &Result::warnings),
                 field("peaks", &Result::peaks),
                 field("counts", &Result::counts),
-                field("stages", &Result::stages),
                 field("rows", &Result::rows, "", rules::required),
                 derived_field("questions", &Result::questions),
                 derived_field("portability", portability_of),

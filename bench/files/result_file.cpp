@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "bench/result/figures.h"
 #include "bench/files/gpu_reading.h"
@@ -14,27 +12,24 @@
 #include "bench/files/result_file.h"
 #include "bench/files/result_fields.h"
 #include "core/base/error.h"
+#include "core/base/input_file.h"
+#include "core/base/json.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
 
 constexpr std::size_t one_liner = -1;  // depth of a value that takes one line
-
-std::string text_of_file(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(path + ": cannot be read, expected a result file of bench --json");
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
+constexpr std::string_view result_kind = "result file of bench --json";
 
 // Returns the JSON in the text; if the text is not JSON, a value for which is_discarded() is true.
 Json parsed(const std::string& text, const std::string& name)
 {
-    check_json_depth(text, name);
-    return Json::parse(text, nullptr, false);
+    try {
+        return parse_json<Json>(text, name);
+    } catch (const Json::exception&) {
+        return Json::value_t::discarded;
+    }
 }
 
 // Throws Refusal if two configurations have the same name, if operation counts have no lane utilisation, or if a GPU's
@@ -105,18 +100,18 @@ Result parse_result(const std::string& text, const std::string& name)
     return result_from_json(json, name);
 }
 
-Result read_result(const std::string& path) { return parse_result(text_of_file(path), path); }
+Result read_result(const std::string& path) { return parse_result(text_of_file(path, result_kind), path); }
 
 std::optional<Result> read_if_result(const std::string& path)
 {
-    const Json json = parsed(text_of_file(path), path);
+    const Json json = parsed(text_of_file(path, result_kind), path);
     if (schema_in(json) != result_schema) return std::nullopt;
     return result_from_json(json, path);
 }
 
 Json json_in(const std::string& path)
 {
-    Json json = parsed(text_of_file(path), path);
+    Json json = parsed(text_of_file(path, result_kind), path);
     if (!schema_in(json).is_string()) throw InputError(path + ": not a file of bench, expected a result of --json");
     return json;
 }

@@ -32,14 +32,6 @@ Result merged(std::vector<Result> results)
                 same->verification.passed && (row.verification.passed || !row.unavailable.empty());
         }
         raise_peaks(all.peaks, one.peaks);
-        for (StageTime& time : one.stages) {
-            for (StageTime& to : all.stages) {
-                if (to.fractal == time.fractal && to.precision == time.precision && to.mode == time.mode &&
-                    to.stage == time.stage) {
-                    to.seconds.insert(to.seconds.end(), time.seconds.begin(), time.seconds.end());
-                }
-            }
-        }
         all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
     }
     all.runs = static_cast<int>(results.size());

@@ -13,8 +13,8 @@ namespace mandelmarch::bench {
 // Executes the run with this number and returns its result. Throws Error if the run has no result.
 using RunProcess = std::function<Result(int run)>;
 
-// Merges the results of several runs: keeps the samples, stage times and warnings of all runs and the highest peaks,
-// and takes everything else from the first run. A configuration that fails in any run fails in the merged result.
+// Merges the results of several runs: keeps the samples and warnings of all runs and the highest peaks, and takes
+// everything else from the first run. A configuration that fails in any run fails in the merged result.
 Result merged(std::vector<Result> results);
 
 // Executes runs 1 to count - 1 and merges their results with `first`, the result of run 0. For a run without a result,

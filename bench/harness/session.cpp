@@ -8,7 +8,6 @@
 #include "bench/machine/environment.h"
 #include "bench/result/figures.h"
 #include "bench/harness/peaks.h"
-#include "bench/harness/profile.h"
 #include "bench/harness/verify.h"
 #include "bench/machine/steadiness.h"
 #include "bench/machine/telemetry.h"
@@ -70,7 +69,6 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     std::vector<TimedCase> live = verified_cases(cases, registry, phase);
     keep_long_pictures(live, rules);
     if (options.study->counts) count_all(live, result, phase);
-    if (options.study->stages) result.stages = profile(registry, options, phase);
     const PeakMeasurement peaks = [&](const auto& wanted) {
         const bool measured = options.peaks && options.study->peaks;
         return measured ? measure_peaks(registry, options, phase, wanted) : std::vector<Peak>();

@@ -78,7 +78,7 @@ std::string free_processors(const Result& result)
         const auto value = value_at(result.environment, place);
         return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
     };
-    const auto cores = known("/cpu/cores_usable");
+    const auto cores = std::min(known("/cpu/cores_usable"), known("/cpu/cores_given"));  // nullopt if one is unknown
     const auto others = known("/during/others_share");
     const auto stolen = known("/during/stolen_share");
     if (!cores || !others || !stolen) return {};

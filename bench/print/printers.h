@@ -13,7 +13,7 @@ namespace mandelmarch::bench {
 // configurations with all columns, in lines of any length.
 std::string to_console(const Result& result, bool wide);
 
-// Returns the tables of the studies profile, box-vs-bulb and ladder; empty for other studies.
+// Returns the tables of the studies box-vs-bulb and ladder; empty for other studies.
 std::string study_tables(const Result& result);
 
 // Returns CSV with one line per configuration. The first columns are problem, application, platform and fom (pixels per
@@ -27,9 +27,5 @@ std::string problem_name(const std::string& fractal, Precision precision, Mode m
 
 // Returns a text as one CSV cell, quoted if necessary.
 std::string csv_cell(const std::string& text);
-
-// Formats a result as Google Benchmark formats repetitions: for each configuration all samples, followed by their
-// median. `format`: "console", "json" or "csv"; throws InputError for any other.
-std::string to_google_benchmark(const Result& result, const std::string& format);
 
 }  // namespace mandelmarch::bench

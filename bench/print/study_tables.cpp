@@ -104,33 +104,6 @@ std::string lanes_table(const Result& result)
            "what refilling costs\n";
 }
 
-std::string stages_table(const Result& result)
-{
-    std::string text = fmt::format(
-        "\nWhere a picture's time goes, in packs on one core; operations as counted\n{:<11} {:<9} {:<5} {:<7} "
-        "{:>9} {:>7} {:>11}\n",
-        "fractal", "precision", "mode", "stage", "ms", "time", "operations");
-    for (const StageTime& s : result.stages) {
-        double all = 0;
-        for (const StageTime& other : result.stages) {
-            const bool same = other.fractal == s.fractal && other.precision == s.precision && other.mode == s.mode;
-            if (same && other.stage != in_one_go) all += median(other.seconds);
-        }
-        std::string operations = "-";
-        for (const Counted& c : result.counts) {
-            if (c.fractal != s.fractal || c.precision != s.precision || c.mode != s.mode) continue;
-            for (std::size_t i = 0; i < c.stages.size(); ++i) {
-                if (stage_names.at(i) != s.stage) continue;
-                operations = fmt::format("{:.1f}%", 100 * ratio(c.stages[i].total(), c.all().total()));
-            }
-        }
-        text += fmt::format("{:<11} {:<9} {:<5} {:<7} {:>9} {:>6.1f}% {:>11}\n", s.fractal, name_of(s.precision),
-                            name_of(s.mode), s.stage, digits(1e3 * median(s.seconds)),
-                            all > 0 ? 100 * median(s.seconds) / all : 0, operations);
-    }
-    return text;
-}
-
 // Returns a table of each fractal's ladder, with the gain of each rung over the rung before it, and of the last rung
 // over the first.
 std::string ladder_table(const Result& result)
@@ -169,7 +142,6 @@ std::string study_tables(const Result& result)
     std::string text;
     if (result.study == "box-vs-bulb") text += counts_table(result) + lanes_table(result) + errors_of(result);
     if (result.study == ladder_study) text += ladder_table(result);
-    if (!result.stages.empty()) text += stages_table(result);
     return text;
 }
 

@@ -160,18 +160,6 @@ struct Counted : Count {
     Setting setting;
 };
 
-// Value of StageTime::stage for a whole picture, rendered without interruption between the stages.
-inline constexpr const char* in_one_go = "one go";
-
-// Time of one stage of a picture, in the study profile.
-struct StageTime {
-    std::string fractal;
-    Precision precision = Precision::f64;
-    Mode mode = Mode::exact;
-    std::string stage;
-    std::vector<double> seconds;  // one per repetition
-};
-
 // Ratio of two configurations' kernel times, paired by run and round to cancel disturbances of a whole round.
 struct Ratio {
     std::string numerator, denominator;  // names of the configurations
@@ -196,7 +184,6 @@ struct Result {
     std::vector<std::string> warnings;
     std::vector<Peak> peaks;
     std::vector<Counted> counts;
-    std::vector<StageTime> stages;
     std::vector<Row> rows;
     Questions questions;  // set by derived()
 

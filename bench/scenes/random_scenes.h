@@ -58,8 +58,9 @@ struct RandomSums {
     Precision precision = Precision::f64;
     RandomSum all;
     std::map<std::string, RandomSum> sets;
-    // If a set exceeds a limit: the largest step factor with which no set does; 0: no factor of those tried.
-    double holding_step_factor = 0;
+    // A line for each set that exceeds a limit, with the command of its worst scene, and a line for the largest step
+    // factor with which no set does.
+    std::string missed{};
 };
 
 // Limits for fast mode in each set.
@@ -89,8 +90,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
 // Returns what a file holds.
 nlohmann::ordered_json facts_of(const RandomResult& result);
 
-// Returns a table with a line for each fractal and precision, and for each set that exceeds a limit its shares, the
-// command that renders its worst scene, and the step factor that holds.
+// Returns a table with a line for each fractal and precision, and then RandomSums::missed.
 std::string to_console(const RandomResult& result);
 
 }  // namespace mandelmarch::bench

@@ -75,7 +75,6 @@ Points scenes(const Case& so_far)
     return points;
 }
 
-// Returns true for the host's backend. Only its stages can be profiled (bench/harness/profile.h).
 bool is_host(const BackendInfo& info) { return info.role == Role::host; }
 
 const std::vector<Mode> both_modes{Mode::exact, Mode::fast};
@@ -177,11 +176,6 @@ std::vector<Study> all_studies()
          .about = "techniques that make a picture cheaper or better, disabled one by one",
          .axes = {{"without", disabled}},
          .modes = {Mode::fast}},  // some optimisations, such as relaxation, exist in fast mode only
-        {.name = "profile",
-         .about = "where a picture's time goes: begin, march, refine, normal, shade, output",
-         .measures = is_host,
-         .modes = both_modes,
-         .stages = true},
         {.name = "box-vs-bulb",
          .about = "why one fractal is slower: DE evaluations, iterations, operations and idle lanes, in several scenes",
          .axes = {{"scene", scenes}}},

@@ -48,7 +48,6 @@ struct Study {
     int width = 540, height = 540;            // pixels, if --size is not given
     bool baselines = false;                   // always includes the reference and the scalar kernel on the host
     bool counts = true, peaks = true;         // whether the study counts operations, and whether it measures peaks
-    bool stages = false;                      // measures the time of each stage
     int most_rounds = 40;
     double row_budget = 8;  // seconds of timed pictures per configuration
 };

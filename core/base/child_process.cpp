@@ -17,29 +17,65 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 
+#include "core/base/environment.h"
 #include "core/base/error.h"
 
 namespace mandelmarch {
 namespace {
 
-void confine(pid_t parent)
+namespace fs = std::filesystem;
+
+// Returns the absolute path of a program, which is searched in PATH if its name has no slash. Relative folders in PATH
+// are those of the calling process, wherever the child runs. Throws Error if there is no such program.
+std::string program_file(const std::string& name)
+{
+    std::error_code error;
+    if (name.find('/') != std::string::npos) return fs::absolute(name, error).string();
+    std::string path = environment_variable("PATH");
+    if (path.empty()) path = "/bin:/usr/bin";
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find(':', begin), path.size());
+        const fs::path file = fs::absolute(fs::path(path.substr(begin, end - begin)) / name, error);
+        if (fs::is_regular_file(file, error) && access(file.c_str(), X_OK) == 0) return file.string();
+        begin = end + 1;
+    }
+    throw Error(fmt::format("does not start: {}: {}", name, std::strerror(ENOENT)));
+}
+
+// Returns this process's environment without the variables whose names begin with one of `hidden`.
+std::vector<char*> environment_without(const std::vector<std::string>& hidden)
+{
+    std::vector<char*> kept;
+    for (char** one = environ; *one != nullptr; ++one) {
+        const std::string_view variable = *one;
+        if (std::ranges::none_of(hidden, [&](const auto& begin) { return variable.starts_with(begin); }))
+            kept.push_back(*one);
+    }
+    kept.push_back(nullptr);
+    return kept;
+}
+
+void confine()
 {
     constexpr rlim_t largest_file = 1 << 30;  // bytes
     const rlimit file{.rlim_cur = largest_file, .rlim_max = largest_file};
     const rlimit core{.rlim_cur = 0, .rlim_max = 0};
-    setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(exit_failure);  // the parent has already ended
     setrlimit(RLIMIT_FSIZE, &file);
     setrlimit(RLIMIT_CORE, &core);
 }
 
-// Replaces the calling process, a forked child, by the program. Calls only async-signal-safe functions. Returns only if
-// the program does not start.
-void become(const ChildSetup& setup, char* const* words)
+// Replaces the calling process, a forked child, by the program in `file`. Calls only async-signal-safe functions.
+// Returns only if the program does not start.
+void become(const ChildSetup& setup, const char* file, char* const* words, char* const* environment, pid_t parent)
 {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(exit_failure);  // the parent has already ended
+    if (setup.confined) confine();
     std::signal(SIGPIPE, SIG_DFL);  // this project's programs ignore it, and the child inherits that
+    std::signal(SIGTTOU, SIG_IGN);  // a group in the background may write to the terminal
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     const std::array from{setup.input < 0 ? nothing : setup.input, setup.output < 0 ? nothing : setup.output,
                           setup.errors < 0 ? STDERR_FILENO : setup.errors};
@@ -48,9 +84,9 @@ void become(const ChildSetup& setup, char* const* words)
     }
     if (!setup.folder.empty() && chdir(setup.folder.c_str()) != 0) return;
     if (setup.program.empty()) {
-        execvp(words[0], words);
+        execvpe(file, words, environment);  // also runs scripts without #!, as shells do
     } else {
-        execv(setup.program.c_str(), words);
+        execve(file, words, environment);
     }
 }
 
@@ -59,14 +95,15 @@ pid_t started(ChildSetup& setup)
     std::vector<char*> words;
     for (std::string& word : setup.words) words.push_back(word.data());
     words.push_back(nullptr);
+    const std::vector<char*> environment = environment_without(setup.hidden);
+    const std::string file = setup.program.empty() ? program_file(setup.words[0]) : setup.program;
     auto [failed, fails] = make_pipe();  // a successful exec closes `fails`
     const pid_t parent = getpid();
     // Does not use posix_spawn(), because its child at first shares this process's memory, and that memory would count
     // in the child's peak resident set.
     const pid_t child = fork();
     if (child == 0) {
-        if (setup.confined) confine(parent);
-        become(setup, words.data());
+        become(setup, file.c_str(), words.data(), environment.data(), parent);
         const int why = errno;
         static_cast<void>(!write(fails.number(), &why, sizeof why));
         _exit(exit_failure);
@@ -112,20 +149,38 @@ std::string Ended::text() const
     return signal == 0 ? fmt::format("exit code {}", code) : fmt::format("signal {} ({})", signal, strsignal(signal));
 }
 
-ChildProcess::ChildProcess(ChildSetup setup) : confined_(setup.confined), id_(started(setup)) {}
+ChildProcess::ChildProcess(ChildSetup setup) : id_(started(setup)) { group_.emplace(id_); }
+
+ChildProcess::~ChildProcess()
+{
+    try {
+        end(0);
+    } catch (const Error&) {
+        return;  // nobody asks any more how it ended
+    }
+}
 
 void ChildProcess::kill() const
 {
-    if (!ended_) ::kill(confined_ ? -id_ : id_, SIGKILL);
+    if (!ended_) ::kill(group_ ? -id_ : id_, SIGKILL);
 }
 
 void ChildProcess::take()
 {
     Ended ended{.seconds = seconds_since(start_)};
-    if (confined_) kill();  // the processes that the child has left running
+    if (group_) kill();  // the processes that the child has left running
+    group_.reset();
     int status = 0;
     rusage used{};
-    while (wait4(id_, &status, 0, &used) < 0 && errno == EINTR) continue;
+    pid_t waited = 0;
+    do {
+        waited = wait4(id_, &status, 0, &used);
+    } while (waited < 0 && errno == EINTR);
+    if (waited < 0) {
+        const int why = errno;
+        ended_ = Ended{.code = exit_failure};
+        throw Error(fmt::format("how a child process ended is not known: {}", std::strerror(why)));
+    }
     ended.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     ended.code = ended.signal == 0 ? WEXITSTATUS(status) : 128 + ended.signal;
     ended.processor = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);

@@ -14,6 +14,7 @@
 
 #include "core/base/descriptor.h"
 #include "core/base/stopwatch.h"
+#include "core/base/temporary_path.h"
 
 namespace mandelmarch {
 
@@ -35,15 +36,14 @@ private:
 
 // The program to start as a child process, and its settings. The caller keeps ownership of the descriptors.
 struct ChildSetup {
-    std::vector<std::string> words;  // name and arguments: argv
-    std::string program = {};        // executable file; empty: words[0], searched in PATH
-    std::string folder = {};         // working directory; empty: the caller's
-    int input = -1;                  // stdin; -1: /dev/null
-    int output = -1;                 // stdout; -1: /dev/null
-    int errors = -1;                 // stderr; -1: the caller's
-    // If true, the processes that the child has left running are killed when it ends. The child is killed when the
-    // calling thread ends. Its files are limited to 1 GiB, and it writes no core dumps.
-    bool confined = false;
+    std::vector<std::string> words;        // name and arguments: argv
+    std::string program = {};              // executable file; empty: words[0], searched in PATH in the caller's folder
+    std::string folder = {};               // working directory; empty: the caller's
+    int input = -1;                        // stdin; -1: /dev/null
+    int output = -1;                       // stdout; -1: /dev/null
+    int errors = -1;                       // stderr; -1: the caller's
+    std::vector<std::string> hidden = {};  // beginnings of the environment variables that the child does not get
+    bool confined = false;                 // files of at most 1 GiB, no core dumps
 };
 
 struct Ended {
@@ -58,19 +58,22 @@ struct Ended {
     std::string text() const;
 };
 
+// A child process, which leads a process group. The group is killed when the child ends, when the calling thread of the
+// constructor ends (then only the child itself), and when SIGINT, SIGTERM or SIGHUP ends this program (KilledGroup).
 class ChildProcess {
 public:
     static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
     // Throws Error if the program does not start.
     explicit ChildProcess(ChildSetup setup);
-    // Takes over a process that the caller has forked.
+    // Takes over a process that the caller has forked, without its group.
     explicit ChildProcess(pid_t forked) : id_(forked) {}
-    ~ChildProcess() { end(0); }
+    ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    // Waits at most `seconds` for the end. Returns false if the child still runs.
+    // Waits at most `seconds` for the end. Returns false if the child still runs. Throws Error if the system does not
+    // report how it ended.
     bool ends_within(double seconds);
     // Waits for the end; kills the child if it still runs after `seconds`.
     const Ended& end(double seconds = no_limit);
@@ -81,8 +84,8 @@ private:
     void take();
 
     Clock::time_point start_ = Clock::now();
-    bool confined_ = false;
     pid_t id_;
+    std::optional<KilledGroup> group_;
     std::optional<Ended> ended_;
 };
 

@@ -8,17 +8,23 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/control_group.h"
 #include "core/base/environment.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace mandelmarch {
 namespace {
@@ -49,15 +55,32 @@ int cores_given()
     return std::max(1, count);
 }
 
-// Returns the first number of the list in an environment variable; nullopt if the variable is not set or the number is
-// not positive.
+// Returns the list in an environment variable: its words in small letters, without the blanks around them.
+std::vector<std::string> list_in(VariableName variable)
+{
+    std::istringstream text(environment_variable(variable) + ",");
+    std::vector<std::string> words;
+    for (std::string word; std::getline(text, word, ',');) {
+        const auto blank = [](unsigned char c) { return std::isspace(c) != 0; };
+        word.erase(word.begin(), std::ranges::find_if_not(word, blank));
+        while (!word.empty() && blank(word.back())) word.pop_back();
+        std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        words.push_back(word);
+    }
+    return words;
+}
+
+// Returns the first number of the list in an environment variable; nullopt if a word of the list is not a positive
+// integer.
 std::optional<int> first_number(VariableName variable)
 {
-    const std::string text = environment_variable(variable);
-    char* end = nullptr;
-    const long value = std::strtol(text.c_str(), &end, 10);
-    if (end == text.c_str() || value < 1) return std::nullopt;
-    return static_cast<int>(std::min(value, 1L << 20));
+    std::optional<int> first;
+    for (const std::string& word : list_in(variable)) {
+        const auto number = parse_whole(word);
+        if (!number || *number < 1) return std::nullopt;
+        if (!first) first = static_cast<int>(std::min<long long>(*number, std::numeric_limits<int>::max()));
+    }
+    return first;
 }
 
 }  // namespace
@@ -71,10 +94,15 @@ int Cores::threads() const
 
 Cores cores(const std::string& root)
 {
+    const std::optional<int> asked = first_number("OMP_NUM_THREADS");
+    if (asked && *asked > most_threads) {
+        throw InputError(fmt::format("OMP_NUM_THREADS: '{}' given, expected 1 to {}",
+                                     environment_variable("OMP_NUM_THREADS"), most_threads));
+    }
     return {.machine = static_cast<int>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN))),
             .given = cores_given(),
             .quota = processor_quota(root),
-            .asked = first_number("OMP_NUM_THREADS"),
+            .asked = asked,
             .limit = first_number("OMP_THREAD_LIMIT")};
 }
 
@@ -82,10 +110,14 @@ int usable_threads() { return cores().threads(); }
 
 std::string binding()
 {
-    for (const VariableName name :
-         {VariableName("OMP_PROC_BIND"), VariableName("OMP_PLACES"), VariableName("GOMP_CPU_AFFINITY")}) {
+    const std::vector<std::string> policy = list_in("OMP_PROC_BIND");
+    if (policy == std::vector<std::string>{"false"}) return {};
+    const bool heeded = policy == std::vector<std::string>{"true"} || std::ranges::all_of(policy, [](const auto& word) {
+                            return word == "master" || word == "primary" || word == "close" || word == "spread";
+                        });
+    if (heeded) return "OMP_PROC_BIND=" + environment_variable("OMP_PROC_BIND");
+    for (const VariableName name : {VariableName("OMP_PLACES"), VariableName("GOMP_CPU_AFFINITY")}) {
         const std::string text = environment_variable(name);
-        if (text == "false" || text == "FALSE") return {};
         if (!text.empty()) return fmt::format("{}={}", name.text, text);
     }
     return {};

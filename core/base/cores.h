@@ -7,26 +7,30 @@
 
 namespace mandelmarch {
 
+inline constexpr int most_threads = 1024;  // that a user may ask for
+
 struct Cores {
     int machine = 1;                // online cores of the machine
     int given = 1;                  // cores assigned to the process at its start (taskset, cpusets, job schedulers)
     std::optional<double> quota{};  // processor_quota() of core/base/control_group.h; nullopt: no quota
     std::optional<int> asked{};     // first number in OMP_NUM_THREADS
-    std::optional<int> limit{};     // first number in OMP_THREAD_LIMIT
+    std::optional<int> limit{};     // OMP_THREAD_LIMIT
 
     // Returns the default number of threads: OMP_NUM_THREADS if it is set, otherwise the given cores, or fewer if the
     // quota allows fewer. The result is at most OMP_THREAD_LIMIT.
     int threads() const;
 };
 
-// Returns the cores of this process. `root` is the folder used as / in the search for control groups.
+// Returns the cores of this process. `root` is the folder used as / in the search for control groups. Values of
+// OpenMP's variables that GNU's run-time library of OpenMP ignores, with a line on stderr, are ignored. Throws
+// InputError if OMP_NUM_THREADS asks for more than most_threads.
 Cores cores(const std::string& root = {});
 
-// Returns cores().threads().
+// Returns cores().threads(). Throws InputError.
 int usable_threads();
 
 // Returns the setting by which OpenMP binds its threads to cores, such as "OMP_PROC_BIND=true"; "" if it does not bind
-// them.
+// them. Reads OMP_PROC_BIND as GNU's library does, in capital or small letters.
 std::string binding();
 
 // Limits the threads of a driver that by default runs on all cores of the machine. If this process may use fewer cores,

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/environment.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace mandelmarch {
 
@@ -9,6 +14,17 @@ std::string environment_variable(VariableName name)
 {
     const char* value = std::getenv(name.text);
     return value != nullptr ? value : "";
+}
+
+double environment_seconds(VariableName name, double usual)
+{
+    constexpr double least = 1e-3;
+    constexpr double most = 1e6;  // its milliseconds fit into the int that poll() takes
+    const std::string text = environment_variable(name);
+    if (text.empty()) return usual;
+    const auto seconds = parse_real(text);
+    if (seconds && *seconds >= least && *seconds <= most) return *seconds;
+    throw InputError(fmt::format("{}: '{}' given, expected seconds from {} to {:.0f}", name.text, text, least, most));
 }
 
 std::map<std::string, std::string> recorded_variables()

@@ -37,6 +37,7 @@ inline constexpr Variables variables[] = {
     {{"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}, "explore", "the display"},
     {{"PATH"}, "all programs", "folders with ffmpeg and other programs"},
     {{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}, "flythrough", "set in each process of an MPI program"},
+    {{"SLURM_NTASKS"}, "flythrough", "number of tasks that Slurm starts"},
     {{"OMP_NUM_THREADS", "OMP_THREAD_LIMIT"}, "all programs", "number of threads on the CPU, and its maximum", true},
     {{"OMP_PROC_BIND", "OMP_PLACES", "GOMP_CPU_AFFINITY"}, "openmp, bench", "cores of openmp's threads", true},
     {{"OMP_DYNAMIC", "OMP_WAIT_POLICY", "GOMP_SPINCOUNT"}, "OpenMP", "how threads are used, and how they wait", true},
@@ -81,6 +82,10 @@ struct VariableName {
 
 // Returns the variable's value; "" if it is not set.
 std::string environment_variable(VariableName name);
+
+// Returns the seconds that the variable gives; `usual` if it is not set or empty. Throws InputError if it is not a
+// number from 0.001 to 1e6.
+double environment_seconds(VariableName name, double usual);
 
 // Returns the names and values of the set variables that bench records.
 std::map<std::string, std::string> recorded_variables();

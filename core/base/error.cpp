@@ -16,7 +16,6 @@
 #include "core/base/console.h"
 #include "core/base/cores.h"
 #include "core/base/text.h"
-#include "core/base/number.h"
 
 namespace mandelmarch {
 
@@ -39,14 +38,7 @@ void hold_standard_descriptors()
 double device_timeout()
 {
     constexpr double usual = 300;
-    constexpr double least = 1e-3;
-    constexpr double most = 1e6;
-    const std::string text = environment_variable("MANDELMARCH_DEVICE_TIMEOUT");
-    if (text.empty()) return usual;
-    const auto seconds = parse_real(text);
-    if (seconds && *seconds >= least && *seconds <= most) return *seconds;
-    throw InputError(
-        fmt::format("MANDELMARCH_DEVICE_TIMEOUT: '{}' given, expected seconds from {} to {:.0f}", text, least, most));
+    return environment_seconds("MANDELMARCH_DEVICE_TIMEOUT", usual);
 }
 
 int run_program(const char* program, const std::function<int(int, char**)>& body, int argc, char** argv)
@@ -56,6 +48,8 @@ int run_program(const char* program, const std::function<int(int, char**)>& body
     // While these signals are ignored, writes to closed pipes or beyond a file size limit return errors.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    // A parent may have ignored it. The system would then not report how child processes end.
+    std::signal(SIGCHLD, SIG_DFL);
     const auto complain = [&](const std::exception& error) { say("{}: {}\n", program, printable(error.what())); };
     try {
         const int code = body(argc, argv);

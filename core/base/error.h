@@ -47,8 +47,7 @@ public:
 };
 
 // Returns the seconds that one pass over a band of a picture may take: the environment variable
-// MANDELMARCH_DEVICE_TIMEOUT, or 300 if it is not set or empty. Throws InputError if it is not a number from 0.001 to
-// 1e6.
+// MANDELMARCH_DEVICE_TIMEOUT, or 300 if it is not set or empty. Throws InputError (environment_seconds()).
 double device_timeout();
 
 // Runs `body`, which is the whole program, and returns its exit code. Catches its exceptions and prints them to stderr,

@@ -12,8 +12,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
+#include "core/base/console.h"
+#include "core/base/environment.h"
 #include "core/base/error.h"
 
 namespace mandelmarch {
@@ -55,12 +56,13 @@ TemporaryFolder::TemporaryFolder()
     std::string name = (fs::temp_directory_path() / "mandelmarch-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
     path_ = name;
+    removed_.emplace(name);
 }
 
 TemporaryFolder::~TemporaryFolder()
 {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
+    removed_.reset();
+    if (std::error_code none; fs::exists(path_, none)) say("{}: the folder cannot be removed\n", path_.string());
 }
 
 std::string folder_of(const std::string& path)
@@ -104,7 +106,9 @@ void refuse_shared_files(const std::vector<NamedFile>& written, const std::vecto
         if (const auto status = status_of(a.path); status && S_ISCHR(status->st_mode)) return;
         throw InputError(fmt::format("{}: {} and {} are the same file, expected two files", a.path, a.name, b.name));
     };
+    constexpr VariableName log = "MANDELMARCH_DRIVER_LOG";
     for (std::size_t i = 0; i < written.size(); ++i) {
+        compare(written[i], {log.text, environment_variable(log)});
         for (std::size_t other = i + 1; other < written.size(); ++other) compare(written[i], written[other]);
         for (const NamedFile& file : read) compare(written[i], file);
     }

@@ -3,11 +3,19 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/temporary_path.h"
+
 namespace mandelmarch {
+
+// Who chose a file's name. If the user did, the program follows links, and reads and writes pipes and devices. If the
+// program did, as it chose VIDEO.made, somebody else has put them there: the program reads regular files only, and what
+// it writes replaces a link, a pipe or a device.
+enum class NamedBy { user, program };
 
 // Follows a chain of symbolic links and returns the last name, whose file may not exist yet. Stops at a name in /proc,
 // because such a name refers to a file that is already open. Throws InputError if the links are circular.
@@ -23,7 +31,8 @@ std::vector<std::string> files_in(const std::string& folder);
 // Returns the first line of a file; empty if the file cannot be read.
 std::string first_line(const std::string& path);
 
-// A new folder in the system's temporary folder. The destructor removes it with its contents.
+// A new folder in the system's temporary folder, removed with its contents as a TemporaryPath is. Prints a line if
+// something of it cannot be removed.
 class TemporaryFolder {
 public:
     TemporaryFolder();  // throws Error
@@ -35,6 +44,7 @@ public:
 
 private:
     std::filesystem::path path_;
+    std::optional<TemporaryPath> removed_;
 };
 
 // Returns the folder of a path; "." if it has none.
@@ -49,8 +59,8 @@ struct NamedFile {
     std::string path;
 };
 
-// Throws InputError if two of the written files, or a written file and a read file, are the same file. Devices
-// (/dev/null, a terminal) may be given twice.
+// Throws InputError if two of the written files, or a written file and a read file, are the same file. The log of drivers
+// (MANDELMARCH_DRIVER_LOG) counts as a written file. Devices (/dev/null, a terminal) may be given twice.
 void refuse_shared_files(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read = {});
 
 }  // namespace mandelmarch

@@ -2,13 +2,19 @@
 #include "core/base/memory.h"
 
 #include <fmt/format.h>
+#include <sys/eventfd.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <string>
 
 #include "core/base/control_group.h"
+#include "core/base/descriptor.h"
+#include "core/base/error.h"
 
 namespace mandelmarch {
 namespace {
@@ -46,6 +52,18 @@ std::string memory_shortage(const std::string& what, std::uint64_t needed)
     const std::uint64_t available = available_memory();
     if (needed <= available) return "";
     return fmt::format("{} need {} MiB of memory and {} MiB are available", what, needed >> 20, available >> 20);
+}
+
+void refuse_shortage(const std::string& doing)
+{
+    constexpr std::uint64_t large_driver = 256 << 20;  // bytes
+    std::string why = memory_shortage("drivers", large_driver);
+    std::array<Descriptor, 16> spare;
+    for (Descriptor& one : spare) {
+        one = Descriptor(eventfd(0, EFD_CLOEXEC));
+        if (one.number() < 0) why = std::strerror(errno);
+    }
+    if (!why.empty()) throw Error(fmt::format("{}: {}", doing, why));
 }
 
 }  // namespace mandelmarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory available to this process.
+// Memory and descriptors available to this process.
 #pragma once
 
 #include <cstdint>
@@ -14,5 +14,9 @@ std::uint64_t available_memory(const std::string& root = {});
 
 // Returns "`what` need N MiB of memory and M MiB are available" if `needed` bytes are not available, else "".
 std::string memory_shortage(const std::string& what, std::uint64_t needed);
+
+// Throws Error if this process can open only few further files or get only little further memory. A driver that is
+// installed then seems to be missing. The message begins with `doing`.
+void refuse_shortage(const std::string& doing);
 
 }  // namespace mandelmarch

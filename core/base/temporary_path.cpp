@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/temporary_path.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
@@ -14,6 +17,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <random>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -25,18 +29,46 @@ constexpr pid_t in_change = -1;
 
 struct Name {
     std::atomic<pid_t> owner = nobody;  // the process that removes the file; a process forked from it must not
+    pid_t group;                        // a process group to kill; 0: the name is a file's
     std::array<char, PATH_MAX> path;
 };
 
 // The names in use. They are global, because a signal handler has no other access to them. If no slot is free for a
-// name, its file remains after a signal.
+// name, its file or process group remains after a signal.
 std::array<Name, 64> names;  // NOLINT: see above
 
-// The signal handler. Removes the files, then raises the signal again with its default action.
+// Removes a file, or a folder with its contents, as far as possible. `parent`: the descriptor of the folder that `name`
+// starts from. A signal handler may call this function.
+void remove_tree(int parent, const char* name)  // NOLINT(misc-no-recursion): as deep as the folders
+{
+    if (unlinkat(parent, name, 0) == 0 || (errno != EISDIR && errno != EPERM)) return;
+    // It is a folder. Other programs may have removed its owner's rights.
+    fchmodat(parent, name, S_IRWXU, 0);
+    const int folder = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (folder < 0) return;
+    alignas(dirent64) std::array<char, 2048> entries;
+    for (long size = 1; size > 0;) {
+        size = syscall(SYS_getdents64, folder, entries.data(), entries.size());  // readdir() allocates memory
+        for (long at = 0; at < size;) {
+            const auto* const entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+            const char* const inner = static_cast<const char*>(entry->d_name);
+            if (std::strcmp(inner, ".") != 0 && std::strcmp(inner, "..") != 0) remove_tree(folder, inner);
+            at += entry->d_reclen;
+        }
+    }
+    close(folder);
+    unlinkat(parent, name, AT_REMOVEDIR);
+}
+
+// The signal handler. Kills the process groups, removes the files, then raises the signal again with its default
+// action.
 void remove_files(int signal)
 {
     for (const Name& name : names) {
-        if (name.owner == getpid()) unlink(name.path.data());
+        if (name.owner == getpid() && name.group != 0) kill(-name.group, SIGKILL);
+    }
+    for (const Name& name : names) {
+        if (name.owner == getpid() && name.group == 0) remove_tree(AT_FDCWD, name.path.data());
     }
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
@@ -44,7 +76,7 @@ void remove_files(int signal)
     raise(signal);
 }
 
-bool install()
+void install()
 {
     struct sigaction action {};
     action.sa_handler = remove_files;
@@ -54,19 +86,18 @@ bool install()
         sigaction(signal, nullptr, &old);
         if ((old.sa_flags & SA_SIGINFO) == 0 && old.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
     }
-    return true;
 }
 
 // Returns the name's slot; names.size() if none is free or the path is too long.
-std::size_t add(const std::string& path)
+std::size_t add(const std::string& path, pid_t group = 0)
 {
-    static const bool installed = install();
-    static_cast<void>(installed);
+    install();  // each time, because a library may have restored the default action
     for (std::size_t slot = 0; slot < names.size() && path.size() < PATH_MAX; ++slot) {
         Name& name = names.at(slot);
         pid_t owner = nobody;
         if (!name.owner.compare_exchange_strong(owner, in_change)) continue;
         std::memcpy(name.path.data(), path.c_str(), path.size() + 1);
+        name.group = group;
         name.owner = getpid();
         return slot;
     }
@@ -96,16 +127,25 @@ TemporaryPath::TemporaryPath(const std::string& prefix, int& descriptor) : owner
 TemporaryPath::~TemporaryPath()
 {
     if (path_.empty() || owner_ != getpid()) return;
-    unlink(path_.c_str());
+    remove_tree(AT_FDCWD, path_.c_str());
     free_slot(slot_);
 }
 
 bool TemporaryPath::rename_to(const std::string& target)
 {
     if (std::rename(path_.c_str(), target.c_str()) != 0) return false;
-    free_slot(slot_);
-    path_.clear();
+    keep();
     return true;
 }
+
+void TemporaryPath::keep()
+{
+    free_slot(std::exchange(slot_, names.size()));
+    path_.clear();
+}
+
+KilledGroup::KilledGroup(pid_t group) : slot_(add({}, group)) {}
+
+KilledGroup::~KilledGroup() { free_slot(slot_); }
 
 }  // namespace mandelmarch

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Temporary files that are removed when the process ends.
+// Temporary files and folders that are removed when the process ends, and child processes that are killed when a signal
+// ends it.
 #pragma once
 
 #include <sys/types.h>
@@ -9,12 +10,12 @@
 
 namespace mandelmarch {
 
-// The path of a temporary file. The destructor removes the file unless it was renamed. SIGINT, SIGTERM and SIGHUP
-// also remove the file, and then end the process as usual. If one of these signals was already ignored or had a
-// handler, this setting is kept, and the signal does not remove the file.
+// The path of a temporary file, or of a folder with its contents. The destructor removes it unless it was renamed or
+// kept. SIGINT, SIGTERM and SIGHUP also remove it, and then end the process as usual. If one of these signals was
+// already ignored or had a handler, this setting is kept, and the signal removes nothing.
 class TemporaryPath {
 public:
-    // Takes the path of a file that other code creates.
+    // Takes the path of a file or folder that other code creates.
     explicit TemporaryPath(std::string path);
     // Creates an empty file, whose name is `prefix` and eight more characters, and opens it as `descriptor`. Throws
     // Error with the name and the cause.
@@ -29,10 +30,25 @@ public:
     // renaming fails.
     bool rename_to(const std::string& target);
 
+    // Leaves the file where it is.
+    void keep();
+
 private:
-    std::string path_;  // empty after renaming
+    std::string path_;  // empty after renaming or keeping
     pid_t owner_;       // the process that removes the file; a process forked from it must not
     std::size_t slot_;  // index of the path in the signal handler's list
+};
+
+// A process group of children. The signals that remove a TemporaryPath also kill the group, before they remove files.
+class KilledGroup {
+public:
+    explicit KilledGroup(pid_t group);
+    ~KilledGroup();
+    KilledGroup(const KilledGroup&) = delete;
+    KilledGroup& operator=(const KilledGroup&) = delete;
+
+private:
+    std::size_t slot_;
 };
 
 }  // namespace mandelmarch

@@ -44,10 +44,14 @@ bool Channel::send(const std::string& bytes, int descriptor) const
     }
 }
 
-bool Channel::waiting() const
+bool Channel::waiting(int milliseconds) const
 {
     pollfd from{number(), POLLIN, 0};
-    return poll(&from, 1, 0) > 0;
+    int ready = 0;
+    do {
+        ready = poll(&from, 1, milliseconds);
+    } while (ready < 0 && errno == EINTR);
+    return ready > 0;
 }
 
 std::optional<Packet> Channel::receive() const
@@ -66,6 +70,7 @@ std::optional<Packet> Channel::receive() const
     } while (size < 0 && errno == EINTR);
     if (size <= 0) return std::nullopt;
     packet.bytes.resize(static_cast<std::size_t>(size));
+    if ((message.msg_flags & MSG_CTRUNC) != 0) throw Error("a device's process: " + std::string(std::strerror(EMFILE)));
     if (const cmsghdr* header = CMSG_FIRSTHDR(&message); header != nullptr && header->cmsg_type == SCM_RIGHTS) {
         int descriptor = -1;
         std::memcpy(&descriptor, CMSG_DATA(header), sizeof(int));

@@ -26,10 +26,12 @@ public:
     // Sends a message, with the descriptor unless it is -1. Returns false if the other side has closed. Throws Error if
     // the message is larger than `largest`.
     bool send(const std::string& bytes, int descriptor = -1) const;
-    // Waits for a message and returns it; returns nullopt if the other side has closed.
+    // Waits for a message and returns it; returns nullopt if the other side has closed. Throws Error if the process has
+    // too many open files for the message's descriptor.
     std::optional<Packet> receive() const;
-    // Returns true if receive() would not wait: a message is available, or the other side has closed.
-    bool waiting() const;
+    // Waits at most this time until receive() would not wait, because a message is available or the other side has
+    // closed. Returns false if it still would.
+    bool waiting(int milliseconds = 0) const;
 
     int number() const { return socket_.number(); }
 

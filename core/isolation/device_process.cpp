@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -36,34 +38,47 @@ Descriptor opened_log()
 {
     const std::string path = environment_variable(log_variable);
     if (path.empty()) return {};
-    Descriptor log(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
+    // A pipe that nobody reads is an error, and does not make the program wait.
+    Descriptor log(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666));
     if (log.number() < 0) throw InputError(fmt::format("{}: {}: {}", log_variable.text, path, std::strerror(errno)));
+    fcntl(log.number(), F_SETFL, O_APPEND);
     return log;
 }
 
 }  // namespace
 
 DeviceProcess::DeviceProcess(std::shared_ptr<const ForkServer> fork_server, std::string name)
-    : fork_server_(std::move(fork_server)), name_(std::move(name)), child_(fork_server_->start()), log_(opened_log())
+    : fork_server_(std::move(fork_server)),
+      name_(std::move(name)),
+      log_(opened_log()),
+      child_(fork_server_->start()),
+      life_(static_cast<int>(syscall(SYS_pidfd_open, child_.id, 0)))
 {
 }
 
 DeviceProcess::~DeviceProcess()
 {
-    if (!ended_) end();
+    try {
+        if (!ended_) end();
+    } catch (const std::exception& error) {
+        say("{}: {}\n", name_, error.what());
+    }
 }
 
 std::optional<Packet> DeviceProcess::heard(const char* doing)
 {
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit());
     for (;;) {
-        std::array<pollfd, 2> from{pollfd{child_.channel.number(), POLLIN, 0}, pollfd{child_.said.number(), POLLIN, 0}};
+        std::array<pollfd, 3> from{pollfd{child_.channel.number(), POLLIN, 0}, pollfd{child_.said.number(), POLLIN, 0},
+                                   pollfd{life_.number(), POLLIN, 0}};
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
         if (left <= 0) break;
         poll(from.data(), from.size(), static_cast<int>(std::min<long long>(left, 60'000)));
         // Reads the output at once, because the process would block if the pipe were full. Output is not a response.
         if (from[1].revents != 0) listen();
         if (from[0].revents != 0) return child_.channel.receive();
+        // The channel remains open if a process that the driver has started holds it.
+        if (from[2].revents != 0) return std::nullopt;
     }
     end(true);
     repeat_said();
@@ -143,6 +158,8 @@ Deserializer DeviceProcess::ask(const Serializer& request, const char* doing, in
     for (;;) {
         auto packet = heard(doing);
         if (!packet) throw ended();
+        // A message that is too short is nonsense.
+        packet->bytes.resize(std::max(packet->bytes.size(), sizeof(Answer)), '\xff');
         Deserializer answer(std::move(packet->bytes));
         const auto kind = answer.take<Answer>();
         if (kind == Answer::progress) {
@@ -172,14 +189,16 @@ bool DeviceProcess::told(const Progress& progress, double share)
 
 void DeviceProcess::fail(Answer kind, Deserializer& answer, const char* doing)
 {
-    if (kind == Answer::no_memory) throw std::bad_alloc();
-    const auto why = answer.take<std::string>();
+    const auto why = [&answer] { return answer.take<std::string>(); };
     switch (kind) {
-        case Answer::input_error: throw InputError(why);
-        case Answer::unavailable: throw Unavailable(why);
-        case Answer::hung: end(true); throw DeviceHung(why);
-        case Answer::error: throw Error(why);
-        default: throw Error(fmt::format("{}: the device's process answers nonsense while {}", name_, doing));
+        case Answer::no_memory: throw std::bad_alloc();
+        case Answer::input_error: throw InputError(why());
+        case Answer::unavailable: throw Unavailable(why());
+        case Answer::hung: end(true); throw DeviceHung(why());
+        case Answer::error: throw Error(why());
+        default:
+            end(true);
+            throw Error(fmt::format("{}: the device's process answers nonsense while {}", name_, doing));
     }
 }
 

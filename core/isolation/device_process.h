@@ -41,9 +41,10 @@ private:
 
     std::shared_ptr<const ForkServer> fork_server_;
     std::string name_;
-    Child child_;
-    std::string said_;
     Descriptor log_;
+    Child child_;
+    Descriptor life_;  // becomes readable when the process ends; empty: not supported
+    std::string said_;
     bool ended_ = false;
     std::mutex mutex_;  // allows one request at a time
 };

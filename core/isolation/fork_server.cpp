@@ -8,10 +8,12 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <set>
 
 #include "core/base/child_process.h"
 #include "core/base/console.h"
@@ -24,6 +26,13 @@ namespace {
 using Task = std::function<void(Channel)>;
 
 constexpr double patience = 1;  // seconds within which a process must exit after its channel was closed
+
+// Returns the program's ends of the channels to its fork servers. The processes of a later fork server close them.
+std::set<int>& channels()
+{
+    static std::set<int> all;
+    return all;
+}
 
 [[noreturn]] void fail(const char* what)
 {
@@ -62,15 +71,20 @@ pid_t fork_tied()
 
 // Serves the program's requests. A request for a new process consists of two messages: one has the process's socket,
 // the other the pipe for its output. Any other message is a request to end the process that it names.
-[[noreturn]] void tend(const Task& work, const Channel& channel)
+[[noreturn]] void tend(const Task& work, Channel channel)
 {
+    std::signal(SIGCHLD, SIG_DFL);  // otherwise the system would not report how device processes end
+    for (const int other : channels()) close(other);
     while (auto asked = channel.receive()) {
         Serializer answer;
         if (asked->descriptor.number() >= 0) {
             auto said = channel.receive();
             if (!said) break;
             const pid_t child = fork_tied();
-            if (child == 0) run(work, std::move(asked->descriptor), std::move(said->descriptor));
+            if (child == 0) {
+                channel = Channel(Descriptor());
+                run(work, std::move(asked->descriptor), std::move(said->descriptor));
+            }
             answer(child, errno);
         } else {
             Deserializer reader(asked->bytes);
@@ -89,12 +103,17 @@ ForkServer::ForkServer(const Task& work) : channel_(Descriptor())
     std::pair<Channel, Channel> ends = Channel::pair();
     id_ = fork_tied();
     if (id_ < 0) fail("no process");
-    if (id_ == 0) tend(work, ends.second);
+    if (id_ == 0) {
+        ends.first = Channel(Descriptor());
+        tend(work, std::move(ends.second));
+    }
     channel_ = std::move(ends.first);
+    channels().insert(channel_.number());
 }
 
 ForkServer::~ForkServer()
 {
+    channels().erase(channel_.number());
     // The system then also kills the device processes, whose parent is the fork server (PR_SET_PDEATHSIG).
     kill(id_, SIGKILL);
     waitpid(id_, nullptr, 0);
@@ -106,6 +125,9 @@ std::optional<Packet> ForkServer::ask(std::initializer_list<std::pair<std::strin
     for (const auto& [bytes, descriptor] : messages) {
         if (!channel_.send(bytes, descriptor)) return std::nullopt;
     }
+    constexpr double most = 20;
+    const double seconds = std::min(device_timeout(), most) + 2 * patience;
+    if (!channel_.waiting(static_cast<int>(1e3 * seconds))) kill(id_, SIGKILL);  // for example, it was stopped
     return channel_.receive();
 }
 

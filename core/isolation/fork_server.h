@@ -38,7 +38,8 @@ public:
     std::string end(pid_t child, bool now) const;
 
 private:
-    // Sends messages that form one request, and returns the response; nullopt if the fork server has ended.
+    // Sends messages that form one request, and returns the response; nullopt if the fork server has ended. Kills a
+    // fork server that does not respond.
     std::optional<Packet> ask(std::initializer_list<std::pair<std::string, int>> messages) const;
 
     Channel channel_;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/isolation/shared_memory.h"
 
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <cstring>
 #include <new>
 
@@ -20,11 +22,19 @@ std::size_t values_at(std::size_t pixels)
     return (3 * pixels + alignment - 1) / alignment * alignment;
 }
 
+// Throws the failure of a system call.
+[[noreturn]] void refused(const char* call)
+{
+    if (errno == ENOMEM) throw std::bad_alloc();
+    throw Error(fmt::format("no memory to share with a device's process: {}: {}", call, std::strerror(errno)));
+}
+
 }  // namespace
 
 SharedMemory::SharedMemory(std::size_t size) : descriptor_(memfd_create("mandelmarch image", MFD_CLOEXEC)), size_(size)
 {
-    if (descriptor() < 0 || ftruncate(descriptor(), static_cast<off_t>(size)) != 0) throw std::bad_alloc();
+    if (descriptor() < 0) refused("memfd_create");
+    if (ftruncate(descriptor(), static_cast<off_t>(size)) != 0) refused("ftruncate");
     map();
 }
 
@@ -42,7 +52,7 @@ SharedMemory::~SharedMemory() { munmap(data_, size_); }
 void SharedMemory::map()
 {
     void* mapped = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor(), 0);
-    if (mapped == MAP_FAILED) throw std::bad_alloc();
+    if (mapped == MAP_FAILED) refused("mmap");
     data_ = static_cast<std::byte*>(mapped);
 }
 

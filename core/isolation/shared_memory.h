@@ -12,7 +12,7 @@ namespace mandelmarch::isolation {
 
 class SharedMemory {
 public:
-    explicit SharedMemory(std::size_t size);       // creates zeroed memory; throws std::bad_alloc
+    explicit SharedMemory(std::size_t size);       // creates zeroed memory; throws std::bad_alloc, Error
     explicit SharedMemory(Descriptor descriptor);  // maps memory that the other process created; throws Error
     SharedMemory(const SharedMemory&) = delete;
     SharedMemory& operator=(const SharedMemory&) = delete;

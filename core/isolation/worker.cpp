@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/isolation/worker.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <map>
 #include <new>
@@ -43,8 +45,10 @@ public:
             return refuse(Answer::cancelled, cancelled.what());
         } catch (const std::bad_alloc&) {
             return refuse(Answer::no_memory, {});
-        } catch (const std::exception& error) {
+        } catch (const Error& error) {
             return refuse(Answer::error, error.what());
+        } catch (const std::exception& error) {
+            return refuse(Answer::error, fmt::format("backend {}: {}", backend_.name(), error.what()));
         }
     }
 

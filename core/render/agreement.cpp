@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <sstream>
+#include <regex>
 #include <type_traits>
 
 #include "core/scene/fractal.h"
@@ -95,19 +95,10 @@ Agreement agreement(const Image& expected, const Image& image, Precision precisi
 
 std::string render_command(const Scene& scene, const RendererOptions& options)
 {
-    std::istringstream file(to_parameters(scene));
-    std::string lines;
-    for (std::string line; std::getline(file, line);) {
-        if (!line.starts_with('#')) lines += line + "\\n";
-    }
+    const std::string lines = std::regex_replace(to_parameters(scene), std::regex("#.*\n"), "");
     return fmt::format("bin/render --fractal {} --precision {} --mode {} - <<< $'{}'", scene.fractal->short_name,
-                       name_of(options.precision), name_of(options.mode), lines);
-}
-
-std::string trace_command(const Scene& scene, const RendererOptions& options, std::int64_t pixel)
-{
-    return fmt::format("{} --pixel {},{} --trace", render_command(scene, options), pixel % scene.width,
-                       pixel / scene.width);
+                       name_of(options.precision), name_of(options.mode),
+                       std::regex_replace(lines, std::regex("\n"), "\\n"));
 }
 
 std::string summary(const Agreement& agreement)

@@ -41,9 +41,6 @@ Agreement agreement(const Image& expected, const Image& image, Precision precisi
 // Returns the command, for bash, that renders the scene. It lacks what parameter files lack, such as crop windows.
 std::string render_command(const Scene& scene, const RendererOptions& options);
 
-// Returns the command that traces a pixel of the scene, given by its index.
-std::string trace_command(const Scene& scene, const RendererOptions& options, std::int64_t pixel);
-
 // Returns "same bits", the largest difference such as "3 ULP", or the visible difference such as "0.125 % off".
 std::string summary(const Agreement& agreement);
 

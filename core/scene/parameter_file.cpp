@@ -6,15 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <iterator>
-#include <memory>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/scene/fractal.h"
 #include "core/base/number.h"
 #include "core/image/image.h"
@@ -22,7 +18,6 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t largest_file = 1 << 20;  // bytes; an official file has about 500
 constexpr std::string_view blanks = " \t\r\f\v";
 
 // Quotes text of the user for a message. Replaces characters that are not printable ASCII, and cuts long texts.
@@ -296,18 +291,7 @@ ParameterFile parse_parameters(std::string_view text, const std::string& name, c
 
 ParameterFile read_parameters(const std::string& path, const Fractal& fractal)
 {
-    const auto fail = [&](const std::string& why) {
-        throw InputError(fmt::format("{}:1: {}, expected a parameter file", path, why));
-    };
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) fail("it is a directory");
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file) fail(fmt::format("it cannot be opened ({})", std::strerror(errno)));
-    std::string text(largest_file + 1, '\0');
-    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-    if (std::ferror(file.get())) fail(fmt::format("it cannot be read ({})", std::strerror(errno)));
-    if (text.size() > largest_file) fail(fmt::format("it has more than {} bytes", largest_file));
-    return parse_parameters(text, path, fractal);
+    return parse_parameters(text_of_file(path, "parameter file"), path, fractal);
 }
 
 Scene official_scene(const Fractal& fractal)

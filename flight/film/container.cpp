@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/output_file.h"
 
 namespace mandelmarch {
@@ -207,10 +207,8 @@ bool is_whole(const std::string& file, Container container)
 
 void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
 {
-    std::ostringstream text;
-    const std::ifstream stream(from, std::ios::binary);
-    if (!stream || !(text << stream.rdbuf())) throw Error(from + ": cannot be read");
-    std::string data = text.str();
+    std::string data;
+    InputFile(from, "MP4 file", NamedBy::program).append(data, SIZE_MAX);
     const std::string boxes = boxes_of(tags);
     const std::vector<std::size_t> around = path_to_entry(data);
     if (around.empty() || around.front() + size_at(data, around.front()) != data.size())
@@ -218,7 +216,7 @@ void tag_mp4(const std::string& from, const std::string& to, const Tags& tags)
     const std::size_t end = around.back() + size_at(data, around.back());
     for (const std::size_t at : around) data.replace(at, 4, four_bytes(size_at(data, at) + boxes.size()));
     data.insert(end, boxes);
-    write_file(to, data);
+    write_file(to, data, NamedBy::program);
 }
 
 void hide_vexu(const std::string& film)

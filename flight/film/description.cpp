@@ -2,6 +2,8 @@
 #include "flight/film/description.h"
 
 #include <fmt/format.h>
+#include <sys/auxv.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +31,14 @@ nlohmann::ordered_json look_in(const Picture& picture)
     return picture.look->values->numbers;
 }
 
+// Returns the file of this program. Where /proc is missing, its name at the start, relative to the folder at the start,
+// which programs do not leave.
+const char* program_file()
+{
+    constexpr const char* linked = "/proc/self/exe";
+    return access(linked, F_OK) == 0 ? linked : reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+}
+
 }  // namespace
 
 std::string description_of(const Path& path, const Backend& backend, const Picture& picture,
@@ -52,7 +62,7 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
         {"instructions", instructions.empty() ? "all of the machine" : instructions},
         {"precision", name_of(renderer.precision)},
         {"mode", name_of(renderer.mode)},
-        {"program", digest_of_file("/proc/self/exe")},
+        {"program", digest_of_file(program_file())},
     };
     for (const auto& [name, value] : more) json[name] = value;
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -98,7 +108,7 @@ std::string summary_of(const Path& path, const Backend& backend, const FilmOptio
         {"device", {{"name", device.name}, {"driver", device.driver}, {"is_gpu", device.is_gpu}}},
         {"precision", name_of(options.renderer.precision)},
         {"mode", name_of(options.renderer.mode)},
-        {"threads", options.renderer.threads},
+        {"threads", backend.info().threads ? options.renderer.threads : 0},
         {"processes", processes},
         {"frames_rendered", report.frames},
         {"seconds", report.seconds},

@@ -21,6 +21,8 @@
 namespace mandelmarch {
 namespace {
 
+constexpr std::size_t last_progress = 1 << 12;  // bytes; ffmpeg's last reports of progress
+
 constexpr const char* no_space = "No space left on device";
 
 // Returns the line of ffmpeg's errors that names the cause. If one of the lines says that the disk is full, it is that
@@ -57,7 +59,7 @@ std::vector<std::string> quietly() { return joined({ffmpeg()}, words_of("-hide_b
 }  // namespace
 
 FfmpegProcess::FfmpegProcess(const std::vector<std::string>& command, const std::string& folder, double limit)
-    : limit_(limit)
+    : limit_(environment_seconds("MANDELMARCH_FFMPEG_TIMEOUT", limit))
 {
     auto [theirs, ours] = make_pipe();
     fcntl(ours.number(), F_SETFL, O_NONBLOCK);
@@ -65,7 +67,8 @@ FfmpegProcess::FfmpegProcess(const std::vector<std::string>& command, const std:
                               .folder = folder,
                               .input = theirs.number(),
                               .output = output_.number(),
-                              .errors = errors_.number()});
+                              .errors = errors_.number(),
+                              .hidden = {"OMP_", "GOMP_", "KMP_"}});
     input_ = std::move(ours);
 }
 
@@ -92,7 +95,13 @@ bool FfmpegProcess::write(const void* data, std::size_t size)
 FfmpegProcess::Result FfmpegProcess::finish()
 {
     input_ = Descriptor();
-    const Ended& ended = child_->end(limit_);
+    std::int64_t before = -1;
+    while (!child_->ends_within(limit_)) {
+        const std::int64_t frames = frames_in(output_.text(last_progress));
+        if (frames == before) break;
+        before = frames;
+    }
+    const Ended& ended = child_->end(0);
     Result result{.output = output_.text(), .cause = cause_of(errors_.text())};
     if (hung_ || ended.timed_out) {
         result.cause = fmt::format("no answer in {:.6g} s", limit_);
@@ -113,16 +122,7 @@ std::vector<std::string> words_of(const std::string& text)
 std::string ffmpeg()
 {
     const std::string name = environment_variable("MANDELMARCH_FFMPEG");
-    if (name.empty()) return "ffmpeg";
-    // A name without a slash stays as it is and is searched in PATH.
-    return name.find('/') == std::string::npos ? name : std::filesystem::absolute(name).string();
-}
-
-double ffmpeg_timeout(double usual)
-{
-    constexpr double longest = 1e6;  // seconds; its milliseconds fit into the int that poll() takes
-    const double seconds = parse_real(environment_variable("MANDELMARCH_FFMPEG_TIMEOUT")).value_or(usual);
-    return seconds > 0 ? std::min(seconds, longest) : usual;
+    return name.empty() ? "ffmpeg" : name;
 }
 
 std::vector<std::string> time_scale(int rate)
@@ -141,9 +141,11 @@ void check_ffmpeg(Container container)
     try {
         FfmpegProcess process(joined(quietly(), words_of("-f lavfi -i color=s=64x64:r=30:d=0.1 -vf"),
                                      std::vector{filter}, codec, words_of("-f null -")),
-                              "", ffmpeg_timeout(check_seconds));
+                              "", check_seconds);
         const auto result = process.finish();
         if (!result.cause.empty()) throw Error(result.cause);
+    } catch (const InputError&) {
+        throw;
     } catch (const Error& error) {
         throw Error(fmt::format("{} does not work: {}; films need ffmpeg with {} and drawtext", ffmpeg(), error.what(),
                                 codec[1]));
@@ -152,8 +154,9 @@ void check_ffmpeg(Container container)
 
 std::string ffmpeg_version()
 {
-    FfmpegProcess process({ffmpeg(), "-version"}, "", ffmpeg_timeout(check_seconds));
-    const std::string text = process.finish().output;
+    FfmpegProcess process({ffmpeg(), "-version"}, "", check_seconds);
+    const auto [text, cause] = process.finish();
+    if (!cause.empty()) throw Error(fmt::format("{} -version: {}", ffmpeg(), cause));
     return text.substr(0, text.find(" Copyright"));
 }
 
@@ -176,7 +179,7 @@ std::int64_t frames_in(const std::string& progress)
 
 Encoder::Encoder(const std::string& folder, const std::string& file, int width, int height, const std::string& filter,
                  const Coding& coding)
-    : file_(file)
+    : film_(coding.film)
 {
     const auto input =
         words_of(fmt::format("-f rawvideo -pix_fmt rgb24 -video_size {}x{} -framerate {} -i - -progress pipe:1 "
@@ -186,7 +189,7 @@ Encoder::Encoder(const std::string& folder, const std::string& file, int width, 
     auto command = joined(quietly(), input, std::vector{filters}, video_codec(coding.container), encoding(),
                           time_scale(coding.frames_per_second), std::vector{file});
     std::erase(command, "-nostdin");
-    process_.emplace(command, folder, ffmpeg_timeout(encoding_seconds));
+    process_.emplace(command, folder);
 }
 
 Encoder::~Encoder()
@@ -203,7 +206,7 @@ void Encoder::wait()
     if (writer_.joinable()) writer_.join();
     if (!broken_) return;
     const auto result = process_->finish();
-    throw Error(fmt::format("{}: the encoder failed: {}", file_,
+    throw Error(fmt::format("{}: the encoder failed: {}", film_,
                             result.cause.empty() ? "it stopped reading frames" : result.cause));
 }
 
@@ -219,9 +222,9 @@ void Encoder::finish()
 {
     wait();
     const auto result = process_->finish();
-    if (!result.cause.empty()) throw Error(fmt::format("{}: the encoder failed: {}", file_, result.cause));
+    if (!result.cause.empty()) throw Error(fmt::format("{}: the encoder failed: {}", film_, result.cause));
     if (frames_in(result.output) != frames_) {
-        throw Error(fmt::format("{}: the encoder wrote {} frames of {}", file_, frames_in(result.output), frames_));
+        throw Error(fmt::format("{}: the encoder wrote {} frames of {}", film_, frames_in(result.output), frames_));
     }
 }
 

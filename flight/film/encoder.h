@@ -20,13 +20,8 @@ namespace mandelmarch {
 std::vector<std::string> words_of(const std::string& text);
 
 // Returns the name or path of ffmpeg: the value of the environment variable MANDELMARCH_FFMPEG, or "ffmpeg" if it is
-// not set. A path is made absolute, because ffmpeg runs in other folders.
+// not set.
 std::string ffmpeg();
-
-// Returns the time in seconds after which an ffmpeg that does not respond is killed: the value of the environment
-// variable MANDELMARCH_FFMPEG_TIMEOUT, or `usual` if it is not set or invalid.
-double ffmpeg_timeout(double usual);
-inline constexpr double encoding_seconds = 600;  // timeout while encoding; enough for the largest frame
 
 // Throws Error with a message of one line if films cannot be encoded: if ffmpeg is missing or does not respond, if it
 // lacks the container's codec or the filter drawtext, or if the title's font is missing.
@@ -35,16 +30,21 @@ void check_ffmpeg(Container container);
 // Returns ffmpeg's option that sets a track's time scale for `rate` frames per second.
 std::vector<std::string> time_scale(int rate);
 
-// Returns ffmpeg's version line. Two films of the same inputs are bit-identical only if this line is the same.
+// Returns ffmpeg's version line. Two films of the same inputs are bit-identical only if this line is the same. Throws
+// Error if ffmpeg fails or does not respond.
 std::string ffmpeg_version();
 
-// A child process that reads its input from a pipe. The constructor starts the child; its output is kept.
+inline constexpr double encoding_seconds = 600;  // enough for the largest frame
+
+// A child process that reads its input from a pipe. The constructor starts the child; its output is kept. It does not
+// get OpenMP's variables, because they could bind all of ffmpeg's threads to one core.
 class FfmpegProcess {
 public:
     // `folder`: working directory; empty: the caller's. `limit`: seconds after which the child is killed if it does not
-    // read or does not end; finish() then reports the timeout. Throws Error if the child cannot be started.
-    FfmpegProcess(const std::vector<std::string>& command, const std::string& folder,
-                  double limit = ChildProcess::no_limit);
+    // read, or neither ends nor reports further frames; finish() then reports the timeout. The environment variable
+    // MANDELMARCH_FFMPEG_TIMEOUT overrides it. Throws Error if the child cannot be started, InputError if the variable
+    // has an invalid value.
+    FfmpegProcess(const std::vector<std::string>& command, const std::string& folder, double limit = encoding_seconds);
 
     // Passes the data to the child. Returns false if the child has stopped reading; finish() then reports the cause.
     bool write(const void* data, std::size_t size);
@@ -69,6 +69,7 @@ private:
 
 // The container and the frame rate of a film.
 struct Coding {
+    std::string film;  // its name, for messages
     Container container = Container::mp4;
     int frames_per_second = mandelmarch::frames_per_second;
 };
@@ -96,7 +97,7 @@ private:
     void wait();
 
     std::optional<FfmpegProcess> process_;
-    std::string file_;
+    std::string film_;
     std::jthread writer_;
     std::vector<std::uint8_t> frame_;
     std::int64_t frames_ = 0;

@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <tuple>
 
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/input_file.h"
 #include "core/base/output_file.h"
 #include "core/base/stopwatch.h"
 #include "core/base/temporary_path.h"
@@ -63,17 +63,17 @@ public:
           ranks_(ranks),
           work_(work),
           frames_(chosen_frames(options.frames, path.frames.size())),
-          coding_{container_of(options.output), path.frames_per_second}
+          coding_{options.output, container_of(options.output), path.frames_per_second}
     {
     }
 
     // Renders those of the chosen segments that are not finished. Returns the numbers of segments and frames rendered.
     std::pair<std::size_t, std::size_t> render()
     {
-        const auto [first, last] = chosen_segments(options_.segments, work_.frames());
+        const auto [first, after] = chosen_segments(options_.segments, work_.frames());
         // Rank 0 alone looks for finished segments, so that all ranks have the same list.
-        std::string found(last - first + 1, '-');  // for each segment; x: finished
-        for (std::size_t s = first; s <= last && ranks_.rank() == 0; ++s) {
+        std::string found(after - first, '-');  // for each segment; x: finished
+        for (std::size_t s = first; s < after && ranks_.rank() == 0; ++s) {
             if (is_finished(work_.segment_file(s))) found[s - first] = 'x';
         }
         found = ranks_.share(found);
@@ -81,15 +81,17 @@ public:
             throw Error(work_.folder() + ": the folder is missing on a rank, expected one that all ranks share");
         }
         std::vector<std::size_t> todo;
+        std::size_t frames = 0;
         std::size_t finished = 0;
-        for (std::size_t s = first; s <= last; ++s) {
+        for (std::size_t s = first; s < after; ++s) {
+            frames += work_.last(s) - work_.first(s);
             if (found[s - first] == 'x') {
                 finished += work_.last(s) - work_.first(s);
             } else {
                 todo.push_back(s);
             }
         }
-        FilmProgress progress(work_.last(last) - work_.first(first), ranks_.rank() == 0 ? finished : 0);
+        FilmProgress progress(frames, ranks_.rank() == 0 ? finished : 0);
         std::optional<FrameMaker> maker;
         if (!todo.empty()) maker.emplace(backend_, options_.renderer, path_, options_.picture);
         if (ranks_.rank() == 0 && todo.size() >= worth_a_forecast) foretell(*maker, todo);
@@ -100,7 +102,7 @@ public:
             if (!alone) progress.add(work_.last(todo[number]) - work_.first(todo[number]));
         };
         ranks_.each(todo.size(), body, done);
-        return {todo.size(), work_.last(last) - work_.first(first) - finished};
+        return {todo.size(), frames - finished};
     }
 
     // Joins the title and the segments to the film (without re-encoding, except for GIF) and removes the segments.
@@ -118,6 +120,11 @@ public:
         }
         const std::size_t frames = work_.frames() + pieces.size() * title_frames(coding_.frames_per_second);
         for (std::size_t s = 0; s < work_.segments(); ++s) pieces.push_back(work_.segment_file(s));
+        for (const std::string& file : pieces) {
+            if (work_.state_of(file) == FileState::whole) continue;
+            throw Error(fmt::format("{}/{}: changed while the film was made, expected the same command again",
+                                    work_.folder(), file));
+        }
         std::vector<std::string> joining{"-f", "concat", "-safe", "0", "-i", "list.txt"};
         const auto add = [&](const std::vector<std::string>& more) {
             joining.insert(joining.end(), more.begin(), more.end());
@@ -133,8 +140,9 @@ public:
             pieces[0] = ".part-tagged.mp4";
             add({"-strict", "unofficial"});
         }
-        add({"-fflags", "+bitexact", "-progress", "pipe:1", "-stats_period", "3600"});
-        write_file(work_.folder() + "/list.txt", fmt::format("file '{}'\n", fmt::join(pieces, "'\nfile '")));
+        add({"-fflags", "+bitexact", "-progress", "pipe:1"});
+        write_file(work_.folder() + "/list.txt", fmt::format("file '{}'\n", fmt::join(pieces, "'\nfile '")),
+                   NamedBy::program);
         const auto join_to = [&](const std::string& part) {
             add({part});
             const auto told = run_ffmpeg(joining, work_.folder(), options_.output);
@@ -159,17 +167,13 @@ private:
     // Copies the joined film to the output and writes its stamp.
     void deliver(const std::string& part)
     {
-        std::ifstream joined(work_.folder() + "/" + part, std::ios::binary);
-        std::string bytes(1 << 20, '\0');
+        InputFile joined(work_.folder() + "/" + part, "film", NamedBy::program);
         OutputFile film(options_.output);
         Digest hash;
-        do {
-            joined.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-            const auto count = static_cast<std::size_t>(joined.gcount());
-            hash.add(bytes.data(), count);
-            film.write(bytes.data(), count);
-        } while (joined);
-        if (!joined.eof()) throw Error(fmt::format("{}/{}: cannot be read", work_.folder(), part));
+        for (std::string bytes; joined.next(bytes);) {
+            hash.add(bytes.data(), bytes.size());
+            film.write(bytes.data(), bytes.size());
+        }
         film.commit();
         if (OutputFile::is_stream(options_.output)) return;
         write_note(end_of_links(options_.output), work_.made_of(), hash.text());
@@ -183,7 +187,7 @@ private:
         const TemporaryPath temporary(work_.folder() + "/" + part);
         write(part);
         if (!is_whole(temporary.path(), container)) {
-            throw Error(fmt::format("{}: ffmpeg left an incomplete file, is the disk full?", temporary.path()));
+            throw Error(fmt::format("{}: ffmpeg left an incomplete file, is the disk full?", options_.output));
         }
         take(part);
     }
@@ -279,11 +283,10 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
     }
     check_picture(picture);
     check_title(title_of(options), picture);
-    const auto [first, last] = chosen_frames(options.frames, frames);
-    static_cast<void>(chosen_segments(options.segments, last - first + 1));
+    static_cast<void>(chosen_frames(options.frames, frames));
     OutputFile::check(options.output);
     if (!OutputFile::is_stream(options.output)) {
-        OutputFile::check(stamp_path(end_of_links(options.output)));
+        OutputFile::check(stamp_path(end_of_links(options.output)), NamedBy::program);
     } else if (options.segments) {
         throw InputError(fmt::format("--segments: the output {} is a pipe or device, expected a file", options.output));
     }

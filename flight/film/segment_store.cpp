@@ -11,10 +11,11 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
+#include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/input_file.h"
 #include "core/base/output_file.h"
 
 namespace mandelmarch {
@@ -33,6 +34,15 @@ bool still_there(int descriptor, const std::string& name)
     struct stat named {};
     return fstat(descriptor, &held) == 0 && stat(name.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
            held.st_ino == named.st_ino;
+}
+
+// Creates a folder if it does not exist. A link in its place is refused: it could lead to another user's files.
+void make_folder(const std::string& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw Error(fmt::format("{}: cannot make the folder: {}", folder, error.message()));
+    if (fs::is_symlink(folder, error)) throw Error(folder + ": it is a link, expected a folder");
 }
 
 }  // namespace
@@ -77,16 +87,19 @@ void SegmentStore::lock(bool shared)
 {
     const std::string name = parts_ + lock_name;
     for (int tries = 1;; ++tries) {
-        std::error_code error;
-        fs::create_directories(parts_, error);
-        if (error) throw Error(fmt::format("{}: cannot make the folder: {}", parts_, error.message()));
-        lock_ = Descriptor(::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+        make_folder(parts_);
+        lock_ = Descriptor(::open(name.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
         // Another run may have just removed the folder.
         if (lock_.number() < 0 && errno == ENOENT && tries < most_tries) continue;
         if (lock_.number() < 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
         if (flock(lock_.number(), (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
-            if (errno != EWOULDBLOCK) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
-            throw Error(fmt::format("{}: another run makes a film of this name at the moment", film_));
+            if (errno == EWOULDBLOCK) {
+                throw Error(fmt::format("{}: another run makes a film of this name at the moment", film_));
+            }
+            if (errno != ENOSYS && errno != ENOLCK && errno != EOPNOTSUPP) {
+                throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+            }
+            say("film: {}: {}, so a second run of this name would not be noticed\n", name, std::strerror(errno));
         }
         if (still_there(lock_.number(), name)) return;
     }
@@ -95,19 +108,16 @@ void SegmentStore::lock(bool shared)
 void SegmentStore::open(bool shared)
 {
     lock(shared);
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error) throw Error(fmt::format("{}: cannot make the folder: {}", folder_, error.message()));
+    make_folder(folder_);
     if (!shared) {
+        std::error_code error;
         for (const auto& entry : fs::directory_iterator(folder_)) {
             const std::string name = entry.path().filename().string();
             if (name.starts_with(part_prefix) || name.starts_with(".mandelmarch-")) fs::remove(entry.path(), error);
         }
     }
-    if (fs::exists(folder_ + "/manifest.json")) return;
-    OutputFile manifest(folder_ + "/manifest.json");
-    manifest.write(description_.data(), description_.size());
-    manifest.commit();
+    const std::string manifest = folder_ + "/manifest.json";
+    if (!own_file(manifest)) write_file(manifest, description_, NamedBy::program);
 }
 
 std::string SegmentStore::segment_file(std::size_t segment) const { return fmt::format("segment-{:06}.mp4", segment); }
@@ -133,7 +143,7 @@ void SegmentStore::finish(const std::string& part, const std::string& file) cons
     // Flushes the file to disk before renaming it, so that a file with the final name is complete even after a power
     // cut.
     const Descriptor written(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (written.number() < 0 || fsync(written.number()) != 0) {
+    if (written.number() < 0 || !flush_to_disk(written.number())) {
         throw Error(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
     }
     write_note(finished, piece(file), digest_of_file(path));
@@ -148,10 +158,9 @@ std::map<std::string, SegmentStore::Other> SegmentStore::others() const
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(parts_, error)) {
         if (entry.path().filename() == digest_ || !entry.is_directory(error)) continue;
-        std::ifstream manifest(entry.path() / "manifest.json");
-        Other other;
-        if (!std::getline(manifest, other.description)) continue;
-        other.description += '\n';
+        const auto manifest = own_file((entry.path() / "manifest.json").string());
+        if (!manifest) continue;
+        Other other{.description = *manifest};
         for (const std::string& file : files_in(entry.path().string())) {
             const std::string name = fs::path(file).filename().string();
             if (name.starts_with("segment-") && name.ends_with(".mp4")) ++other.segments;

@@ -142,8 +142,9 @@ struct Font::Face {
 
 Font::Font(const std::string& file) : face_(std::make_unique<Face>()), file_(file)
 {
-    const bool read =
-        FT_Init_FreeType(&face_->library) == 0 && FT_New_Face(face_->library, file.c_str(), 0, &face_->face) == 0;
+    std::error_code none;
+    const bool read = std::filesystem::is_regular_file(file, none) && FT_Init_FreeType(&face_->library) == 0 &&
+                      FT_New_Face(face_->library, file.c_str(), 0, &face_->face) == 0;
     if (!read || !FT_IS_SCALABLE(face_->face)) {
         throw Error(fmt::format("{}: not a font file with scalable letters", file));
     }
@@ -236,7 +237,7 @@ void write_title(const std::string& folder, const std::string& file, const std::
     const std::vector<TitleLine> lines = title_lines(title, picture);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string text = fmt::format("title-{}.txt", i);
-        write_file(fmt::format("{}/{}", folder, text), lines[i].text);
+        write_file(fmt::format("{}/{}", folder, text), lines[i].text, NamedBy::program);
         const int eyes = picture.stereo ? 2 : 1;
         for (int eye = 0; eye < eyes; ++eye) {
             if (!filter.empty()) filter += ',';

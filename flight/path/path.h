@@ -66,10 +66,6 @@ std::string to_text(const Path& path);
 Path path_from_text(const std::string& text, const std::string& name);
 Path read_path(const std::string& file);
 
-// Returns the content of a text file. `kind`: what is expected, for the message of the InputError that is thrown if the
-// file cannot be read: "path file".
-std::string text_of_file(const std::string& file, std::string_view kind);
-
 // The camera's roll relative to a level horizon, for fractals that have an up and a down.
 struct Tilt {
     double angle;    // rolling the frame by this angle makes it level; radians, -pi to pi, see rolled()

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "flight/path/path.h"

@@ -33,7 +33,6 @@ class Mandelmarch(CMakePackage):
     depends_on("libpng")
     depends_on("nlohmann-json@3.11:", type="build")
     depends_on("openexr@3.1:")
-    depends_on("benchmark", when="+bench")
     depends_on("boost", when="+bench", type="build")
     depends_on("kokkos+openmp", when="+kokkos")
     depends_on("mpi", when="+mpi")

@@ -13,6 +13,8 @@ import textwrap
 from collections.abc import Iterable
 from pathlib import Path
 
+import jinja2
+
 from . import viewer
 from .bench import Bench, Row
 from .blocks import Table
@@ -79,14 +81,12 @@ class Page:
     def __init__(self, results: Results):
         none = Path(os.devnull)
         self.results, self.material = results, Material(results, Studio(none, Cache(none)), none)
+        self.benches = {bench.name: bench for bench in results.benches}
         self.front = front.section(self.material)
         self.random, self.lines_of_code = pictures.random_errors(results.random), tables.lines_of_code(results.lines_of_code)
 
     def bench(self, name: str) -> Bench:
-        found = next((bench for bench in self.results.benches if bench.name == f"{name}.json"), None)
-        if found is None:
-            raise InputError(f"{name}.json: the page needs this result of bench")
-        return found
+        return self.benches[f"{name}.json"]
 
     def timings(self, name: str) -> Table:
         return tables.timings(self.material, self.bench(name))
@@ -123,10 +123,11 @@ class Page:
 def pages(results: Results) -> dict[Path, str]:
     """Returns the text of each page with figures."""
     page, readme = Page(results), ROOT / "README.md"
-    figures, whole = (
-        markdown(viewer.environment().get_template(f"{name}.md.j2").render(macros="macros.md.j2", s=page.front, page=page, ms=ms, folder=f"../{RESULTS}"))
-        for name in ("readme", "results")
-    )
+    values = {"macros": "macros.md.j2", "s": page.front, "page": page, "ms": ms, "folder": f"../{RESULTS}"}
+    try:
+        figures, whole = (markdown(viewer.environment().get_template(f"{name}.md.j2").render(values)) for name in ("readme", "results"))
+    except (jinja2.UndefinedError, KeyError) as error:
+        raise InputError(f"a result that the pages need is missing: {error}") from None
     marked, places = MARKED.subn(lambda _: figures, readme.read_text(encoding="utf-8"))
     if places != 1:
         raise InputError(f"{readme}: {places} places for figures, expected one between <!-- results --> and <!-- end -->")

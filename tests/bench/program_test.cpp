@@ -177,23 +177,6 @@ TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
     EXPECT_NE(ran.out.find("unavailable: it has no double"), std::string::npos) << ran.out;
 }
 
-// The study `profile` is unavailable for an instruction set without packs. Exactly one of these names selects such a
-// set. The compiler decides which names exist; a name that does not exist is a wrong argument.
-TEST(BenchProgram, AProfileNeedsPacks)
-{
-    const std::vector<std::string> arguments{"--size",  "48x40",       "--fractal", "box",           "--study",
-                                             "profile", "--precision", "float",     "--repetitions", "1"};
-    EXPECT_EQ(run(Defect::none, arguments).code, exit_success);
-    int refused = 0;
-    for (const char* name : {"SCALAR", "EMU128", "SSE2"}) {  // Highway's names of the lowest instruction sets
-        ASSERT_EQ(setenv("MANDELMARCH_INSTRUCTIONS", name, 1), 0);
-        const Ran ran = run(Defect::none, arguments);
-        if (ran.code == exit_unavailable && ran.err.find("has no packs") != std::string::npos) ++refused;
-    }
-    unsetenv("MANDELMARCH_INSTRUCTIONS");
-    EXPECT_EQ(refused, 1);
-}
-
 TEST(BenchProgram, WrongArgumentsExitTwo)
 {
     for (const std::vector<std::string>& arguments :
@@ -208,7 +191,6 @@ TEST(BenchProgram, WrongArgumentsExitTwo)
                                                {"--budget", "inf"},
                                                {"--study", "nosuch"},
                                                {"--nosuch"},
-                                               {"--benchmark_min_time=1"},
                                                {"--filter=a,,b"},
                                                {"--filter=" + std::string(20'000, '(')},
                                                {"compare", "one.json"}}) {
@@ -225,23 +207,6 @@ TEST(BenchProgram, LinesAreAtMost120Characters)
     std::istringstream out(
         run(Defect::none, {"--size", "32x32", "--study", "threads", "--fractal", "box", "--repetitions", "1"}).out);
     for (std::string line; std::getline(out, line);) EXPECT_LE(line.size(), 120U) << line;
-}
-
-TEST(BenchProgram, GoogleBenchmarksFlags)
-{
-    std::vector<std::string> arguments = small("exact");
-    arguments.resize(arguments.size() - 2);  // without --repetitions
-    arguments.insert(arguments.end(),
-                     {"--filter=*box/*/openmp/0", "--benchmark_repetitions=3", "--benchmark_format=json"});
-    const Ran ran = run(Defect::none, arguments);
-    EXPECT_EQ(ran.code, exit_success) << ran.err;
-    const auto json = nlohmann::json::parse(ran.out);
-    ASSERT_EQ(json["benchmarks"].size(), 4U) << "three repetitions and their median";
-    EXPECT_EQ(json["benchmarks"][0]["run_type"], "iteration");
-    EXPECT_EQ(json["benchmarks"][2]["repetition_index"], 2);
-    EXPECT_EQ(json["benchmarks"][3]["aggregate_name"], "median");
-    EXPECT_GT(json["benchmarks"][0]["real_time"], 0);
-    EXPECT_TRUE(std::string(json["benchmarks"][0]["name"]).starts_with("mandelbox/float/exact/openmp/0"));
 }
 
 // Returns the number of configurations of the study threads that the filter selects.

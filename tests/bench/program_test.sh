@@ -85,7 +85,6 @@ expect 2 "${quick[@]}" --json nosuch/x.json
 ! grep -q verif err || fail "measured for a file that cannot be written"
 expect 2 "${quick[@]}" --json - --csv -
 expect 2 "${quick[@]}" --json /tmp
-expect 2 "${quick[@]}" --json - --benchmark_format=csv
 expect 2 "${quick[@]}" --json x.json --csv x.json
 expect 2 "${quick[@]}" --json .
 expect 1 "${quick[@]}" --fractal box --json /dev/full --csv full.csv
@@ -131,15 +130,10 @@ expect 0 --list --study resolution --backend openmp,opencl
 grep -q /openmp/ out && grep -qE '/opencl/|^opencl: ' out || fail "two backends: $(cat out)"
 grep -qE 'vulkan|stdpar' out && fail "a backend that nobody asked for: $(cat out)"
 refused "^--backend: 'nosuch' given" --list --backend openmp,nosuch
-expect 0 --benchmark_list_tests
 expect 0 --help
 # If data is written to standard output, messages and tables are not.
 expect 0 "${quick[@]}" --fractal box --json -
 python3 -c 'import json; json.load(open("out"))' || fail "--json - prints more than JSON"
-expect 0 "${quick[@]}" --fractal box --benchmark_format=csv --benchmark_out=g.json
-python3 -c 'import json; assert json.load(open("g.json"))["benchmarks"]' || fail "--benchmark_out"
-expect 0 "${quick[@]}" --study profile --repetitions 1 --wide
-grep -q march out || fail "no profile"
 expect 0 "${quick[@]}" --study box-vs-bulb --repetitions 1 --json study.json
 grep -q angles out || fail "no trigonometric Mandelbulb"
 expect 0 --size 32x32 --fractal box --study ladder --repetitions 2

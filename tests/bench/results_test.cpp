@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of result files: values that are read or rejected, derived quantities, and output in Google Benchmark's
-// formats.
+// Tests of result files: values that are read or rejected, and derived quantities.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -271,28 +270,6 @@ TEST(Parts, ThatLeaveMoreThanALittleOfTheWallTimeAreReported)
     row.setting.frames = 10;
     EXPECT_FALSE(made_result({row}).rows[0].figures->unaccounted.has_value());
     EXPECT_FALSE(is_named(row));
-}
-
-// The row `median` has the median over the repetitions of all runs. The counters in it, such as `wall`, are not divided
-// by the number of repetitions.
-TEST(GoogleBenchmark, TheMedianRowIsTheMedianOfTheRepetitions)
-{
-    for (const int each : {1000, 3}) {
-        const Result result = made_result({made_row("openmp", seven, each)}, each == 3 ? 3 : 1);
-        const Json rows = Json::parse(to_google_benchmark(result, "json"))["benchmarks"];
-        ASSERT_EQ(rows.size(), seven.size() + 1);
-        EXPECT_NEAR(rows[3]["real_time"], 19, 1e-9) << "ms";
-        const Json& median = rows.back();
-        EXPECT_EQ(median["run_type"], "aggregate");
-        EXPECT_EQ(median["name"], "mandelbox/float/exact/openmp/0/iterations:1/manual_time_median");
-        EXPECT_NEAR(median["real_time"], 13, 1e-9);
-        EXPECT_NEAR(median["wall"], 0.026, 1e-12);
-        // The columns begin with name,iterations,real_time.
-        const std::string csv = to_google_benchmark(result, "csv");
-        const std::string line = csv.substr(csv.find("_median\","));
-        EXPECT_NEAR(std::stod(line.substr(line.find(',', line.find(',') + 1) + 1)), 13, 1e-9);
-        EXPECT_EQ(std::ranges::count(csv, '\n'), std::ranges::count(csv.substr(0, csv.find("\"mandel")), '\n') + 8);
-    }
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ TEST(WinnersOfAStudy, EachFractalPrecisionAndModeHasALine)
 TEST(WinnersOfAStudy, TheLastLineSaysHowManyProcessorsWereFree)
 {
     Result result = made_result({raced("openmp", 0.1, 0.01, 1)});
-    result.environment["cpu"]["cores_usable"] = 8;
+    result.environment["cpu"]["cores_usable"] = 2000;  // threads that OMP_NUM_THREADS asks for
+    result.environment["cpu"]["cores_given"] = 8;
     result.environment["during"] = {{"others_share", 0.25}, {"stolen_share", 0.125}};
     EXPECT_TRUE(
         to_console(result, false)

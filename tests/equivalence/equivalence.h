@@ -38,9 +38,8 @@ public:
     explicit Expected(const Registry& registry) : registry_(registry) {}
     const Image& picture(const NamedScene& scene, Precision precision, Mode mode);
 
-    // Returns the name of another backend that has rendered this wrong picture of the scene before; empty if none has.
-    std::string same_elsewhere(const NamedScene& scene, const RendererOptions& options, const Backend& backend,
-                               const Image& wrong);
+    // Returns a note if another backend has rendered this wrong picture in exact mode before; else an empty string.
+    std::string suspicion(const NamedScene& scene, Precision precision, const Backend& backend, const Image& wrong);
 
 private:
     const Registry& registry_;

@@ -253,6 +253,12 @@ TEST(ExploreSettings, AreKeptAndAnInvalidFileGivesAMessage)
     EXPECT_NE(said.find("not a settings file"), std::string::npos);
     std::ofstream(file) << "{\"look\": 99}";
     EXPECT_LT(read_settings(file, said).look, colouring_types);
+    std::ofstream(file) << "{\"width\": 65535, \"look\": 4}";
+    EXPECT_EQ(read_settings(file, said).width, Settings().width);
+    EXPECT_NE(said.find("explore.json: the window is too large"), std::string::npos);
+    said.clear();
+    EXPECT_EQ(read_settings(folder.path(), said).look, default_look);
+    EXPECT_NE(said.find("not a settings file"), std::string::npos) << "a folder";
     std::ofstream(file) << "{}";
     EXPECT_EQ(read_settings(file, said).look, default_look);
 }

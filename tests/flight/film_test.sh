@@ -67,6 +67,35 @@ test_outputs() {
     says TMPDIR
 }
 
+# Links and pipes that lie at names that flythrough chooses are neither followed nor waited for.
+test_planted_files() {
+    echo precious >precious
+    cp precious kept
+    run 0 render path.json $small --output v.mp4 --segments 0-0 --title a
+    for name in list.txt title-0.txt; do (cd v.mp4.parts/*/ && ln -s ../../precious $name); done
+    mkdir v.mp4.parts/other
+    mkfifo v.mp4.parts/other/manifest.json
+    ln -s precious v.mp4.made
+    run 0 render path.json $small --output v.mp4 --title a
+    [ -L v.mp4.made ] && fail "the link at the stamp stays"
+    rm -r v.mp4.made v.mp4.parts
+    mkfifo v.mp4.made
+    run 0 render path.json $small --output v.mp4 --title a
+    [ -f v.mp4.made ] || fail "the pipe at the stamp stays"
+    mkdir stills other
+    ln -s ../precious stills/frame-000000.png
+    run 0 render path.json $small --stills stills --every 40
+    same_file precious kept
+    ln -s other w.mp4.parts
+    : >other/lock
+    run 1 render path.json $small --output w.mp4
+    says 'w.mp4.parts: it is a link'
+    [ -e other/lock ] || fail "a file behind a link is removed"
+    mkfifo font
+    MANDELMARCH_FONT=$PWD/font run 1 render path.json $small --output v.mp4 --title b
+    says 'font: not a font file'
+}
+
 # If stderr cannot be written, flythrough still makes the film and its summary.
 test_streams_that_fail() {
     whole
@@ -105,6 +134,9 @@ test_stills() {
         diff -r st new >/dev/null || fail "stills of something else stay: $now"
         rm -rf new
     done
+    grep -q 'another film' stderr && fail "stills of another film, but they were replaced"
+    run 0 render path.json ${small/32x16/64x32} --stills st --every 60
+    says 'st has 2 pictures of another film, look, size'
     stills path.json $small --stills st --still-format jpeg
     : >st/frame-000000.jpg
     stills path.json $small --stills st --still-format jpeg
@@ -117,7 +149,7 @@ test_errors() {
     run 77 film ${small/openmp/openmp --device 99}
     local arguments
     for arguments in "--size 15x16" "--size 14x14" "--size 60000x60000" "--output nowhere/film.mp4" \
-        "--summary nowhere/summary.json" "--map nowhere/map.json" "--json nowhere/audit.json" "--segments 500-600" \
+        "--summary nowhere/summary.json" "--map nowhere/map.json" "--json nowhere/audit.json" \
         "--stills file" "--stills stills --summary summary.json" "--power 8:" "--power 0s=8,300s=5"; do
         run 2 film $small $arguments
     done
@@ -129,10 +161,15 @@ test_errors() {
     run 2 audit path.json --json nowhere/audit.json
     run 2 audit path.json --json path.json
     for arguments in "--power 8:5" "--output ./path.json" "--output v.mp4 --summary $PWD/v.mp4" "--stills st --segments 1-0" \
-        "--stills st --segments 5-9"; do
+        "--output v.mp4 --summary v.mp4.made" "--output v.mp4 --summary v.mp4.parts"; do
         run 2 render path.json $small $arguments
     done
-    says '5-9'
+    cp path.json v.mp4.made
+    run 2 render v.mp4.made $small --output v.mp4
+    says 'v.mp4.made: the stamp of --output and PATH are the same file'
+    # Backends that do not draw on the host's cores do not use its threads.
+    run 2 render path.json ${small/openmp/reference} --output v.mp4
+    says '--threads: not supported by backend reference'
 }
 
 # If the title, its line breaks or the font change, an existing film is rendered again.
@@ -184,14 +221,63 @@ test_bad_encoders() {
     MANDELMARCH_FFMPEG=false run 1 render path.json $small --output none.mp4
     says 'does not work'
     [ -e none.mp4.parts ] && fail "work was begun without an encoder"
+    MANDELMARCH_FFMPEG_TIMEOUT=abc run 2 render path.json $small --output none.mp4
+    says "^MANDELMARCH_FFMPEG_TIMEOUT: 'abc' given, expected seconds"
     export MANDELMARCH_FFMPEG_TIMEOUT=0.5
     printf '#!/bin/sh\nexec sleep 100\n' >silent
     printf '#!/bin/sh\ncase "$*" in *.part-0*) exec sleep 100 ;; esac\nexec ffmpeg "$@"\n' >slow
-    chmod +x silent slow
-    local encoder
-    for encoder in silent slow; do
-        MANDELMARCH_FFMPEG=./$encoder run 1 render path.json $small --output none.mp4
-        says 'no answer in 0.5 s'
+    printf '#!/bin/sh\ncase "$*" in -version) exec sleep 100 ;; esac\nexec ffmpeg "$@"\n' >unknown
+    printf '#!/bin/sh\ncase "$*" in *concat*) exec sleep 100 ;; esac\nexec ffmpeg "$@"\n' >apart
+    chmod +x silent slow unknown apart
+    hangs() {
+        MANDELMARCH_FFMPEG=./$1 run 1 render path.json $small --output none.mp4
+        says "$2: no answer in $MANDELMARCH_FFMPEG_TIMEOUT s"
+    }
+    hangs silent 'silent does not work'
+    export MANDELMARCH_FFMPEG_TIMEOUT=3  # of which calls that do not hang need a part
+    hangs slow 'none.mp4: the encoder failed'
+    hangs unknown 'unknown -version'
+    hangs apart 'none.mp4: ffmpeg failed'
+    # The parent ignores SIGCHLD, which hides how processes end.
+    printf '#!/bin/sh\ncase "$*" in *.part-0*) exit 3 ;; esac\nexec ffmpeg "$@"\n' >failing
+    chmod +x failing
+    MANDELMARCH_FFMPEG=./failing expect 1 env --ignore-signal=CHLD "$program" render path.json $small --output failed.mp4
+    says 'failed.mp4: the encoder failed: exit code 3'
+}
+
+# A program found through a relative folder of PATH is the same in the folder of parts, and gets no variables of OpenMP,
+# which would bind it to one core.
+test_path_and_environment() {
+    mkdir rel
+    printf '#!/bin/sh\nenv >>"%s"\nPATH=%s exec ffmpeg "$@"\n' "$PWD/variables" "$PATH" >rel/ffmpeg
+    chmod +x rel/ffmpeg
+    OMP_PROC_BIND=true GOMP_CPU_AFFINITY=0 KMP_AFFINITY=none OWN=1 PATH=rel run 0 render path.json $small --output rel.mp4
+    grep -q '^OWN=1' variables || fail "no variables: $(cat variables)"
+    grep -E '^(OMP|GOMP|KMP)_' variables && fail "ffmpeg has variables of OpenMP"
+    # Without /proc the program finds its own file, too.
+    unshare -rm sh -c 'mount -t tmpfs none /proc' 2>/dev/null || return 0
+    expect 0 unshare -rm sh -c 'mount -t tmpfs none /proc && exec "$@"' - "$program" render path.json $small --output rel.mp4
+    says '0 of 2 segments'
+}
+
+# If the program ends by a signal, the processes that it has started end, too. SIGKILL spares those that its children
+# have started.
+test_no_orphans() {
+    printf '#!/bin/sh\ncase "$*" in *.part-0*) echo $$ >../../self; sleep 60 & echo $! >../../other; wait ;; esac\nexec ffmpeg "$@"\n' >slow
+    chmod +x slow
+    local signal
+    for signal in KILL TERM; do
+        rm -f self other
+        MANDELMARCH_FFMPEG=./slow "$program" render path.json $small --output two.mp4 2>stderr0 &
+        until [ -s other ]; do sleep 0.05; done
+        kill -$signal $!
+        wait $! && fail "$signal ended nothing"
+        sleep 1
+        kill -0 "$(cat self)" && fail "$signal leaves a child"
+        if kill -0 "$(cat other)"; then
+            [ $signal = TERM ] && fail "$signal leaves a child's child"
+            kill "$(cat other)"
+        fi
     done
 }
 
@@ -209,6 +295,27 @@ END
     says 'an incomplete file'
     run 0 render path.json $small --output half.mp4
     same_file half.mp4 whole.mp4
+}
+
+# A segment that is exchanged while another one is rendered does not become a part of the film.
+test_exchanged_segment() {
+    whole
+    printf '#!/bin/sh\ncase "$*" in *.part-000001*) echo junk >segment-000000.mp4 ;; esac\nexec ffmpeg "$@"\n' >exchanging
+    chmod +x exchanging
+    MANDELMARCH_FFMPEG=$PWD/exchanging run 1 render path.json $small --output part.mp4
+    says 'part.mp4.parts/.*/segment-000000.mp4: changed while the film was made'
+    run 0 render path.json $small --output part.mp4
+    same_file part.mp4 whole.mp4
+}
+
+# On a file system without locks, films are made without one, and a message says so.
+test_no_locks() {
+    whole
+    echo '#include <errno.h>
+        int flock(int file, int how) { (void)file, (void)how; errno = ENOLCK; return -1; }' | cc -shared -fPIC -x c -o none.so -
+    LD_PRELOAD=$PWD/none.so run 0 render path.json $small --output none.mp4
+    says 'none.mp4.parts/lock: No locks available, so a second run of this name would not be noticed'
+    same_file none.mp4 whole.mp4
 }
 
 # Before a long film, time, disk space and memory are printed. The film and its segments need no more disk than that.

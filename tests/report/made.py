@@ -105,8 +105,6 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
         "backends": [backend for backend in environment["backends"] if backend["name"] == "openmp"],
     }
     environment["cpu"]["platform"] = environment["cpu"]["model"] = "Processor"
-    stages = ("begin", "march", "normal", "shade", "output", "one go") if study == "profile" else ()
-    stage = {"fractal": "mandelbulb", "precision": "double", "mode": "exact", "seconds": [0.1, 0.2, 0.3]}
     application = next(entry for entry in BENCH["portability"] if entry["application"] == "openmp")
     return copy.deepcopy(
         BENCH
@@ -117,7 +115,6 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
             "environment": environment,
             "peaks": [BENCH["peaks"][0] | {"platform": "Processor", "operations_per_second": 1e10}],
             "counts": [count("mandelbulb", 12000), count("mandelbox", 36000)],
-            "stages": [stage | {"stage": name} for name in stages],
             "rows": made,
             "questions": {question: [ratio] if question == "mandelbox_to_mandelbulb" else [] for question in QUESTIONS},
             "portability": [application],
@@ -248,7 +245,6 @@ def everything() -> dict[str, Any]:
         "bench.json": with_scalar(),
         "threads.json": sweep("threads", "threads", ["1", "2", "4"]),
         "ladder.json": sweep("ladder", "rung", ["reference", "text", "float"]),
-        "profile.json": bench("profile"),
         "ablation.json": sweep("ablation", "without", ["none", "hull"]),
         "box-vs-bulb.json": bench("box-vs-bulb"),
         "random.json": random_scenes(),

@@ -74,6 +74,9 @@ class Layers(unittest.TestCase):
         self.assertGreater(len(found), 1000)
         self.assertEqual([pair for pair in found if not goes_down(*pair)], [])
 
+    def test_the_harness_names_no_backend(self) -> None:
+        self.assertEqual([pair for pair in includes() if re.match("bench/.*/", pair[0]) and pair[1].startswith("backends/")], [])
+
     def test_an_include_that_goes_up_or_across_is_found(self) -> None:
         self.assertFalse(goes_down("core/base/error.cpp", "core/scene/scene.h"))
         self.assertFalse(goes_down("backends/cuda/cuda.cpp", "backends/openacc/openacc.h"))

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "core/base/control_group.h"
+#include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/memory.h"
 
@@ -157,14 +158,37 @@ TEST(CoreCount, ReadsOpenmpsVariables)
         EXPECT_EQ(cores().asked, 3);
         EXPECT_EQ(usable_threads(), 2);
     }
-    for (const char* nonsense : {"", "x", "0", "-2"}) {
+    // GNU's library ignores these values, too, and says so.
+    for (const char* nonsense : {"", "x", "0", "-2", "1e3", "3.7", "3x", "3,", "2,x", "99999999999999999999"}) {
         const Variable number("OMP_NUM_THREADS", nonsense);
         EXPECT_FALSE(cores().asked) << nonsense;
     }
-    const Variable bind("OMP_PROC_BIND", "close");
-    EXPECT_EQ(binding(), "OMP_PROC_BIND=close");
-    const Variable loose("OMP_PROC_BIND", "false");
-    EXPECT_EQ(binding(), "");
+    const Variable limit("OMP_THREAD_LIMIT", "4294967295");
+    for (const char* many : {"1025", "200000", "2147483648,1"}) {
+        const Variable number("OMP_NUM_THREADS", many);
+        EXPECT_THROW(cores(), InputError) << many;
+    }
+    const Variable most("OMP_NUM_THREADS", "1024 ");
+    EXPECT_EQ(usable_threads(), 1024);
+}
+
+TEST(CoreCount, NamesWhatBindsOpenmpsThreads)
+{
+    const Variable places("OMP_PLACES", "");
+    const Variable affinity("GOMP_CPU_AFFINITY", "");
+    for (const char* binds : {"close", "TRUE", " True ", "Spread,close", "primary"}) {
+        const Variable bind("OMP_PROC_BIND", binds);
+        EXPECT_EQ(binding(), std::string("OMP_PROC_BIND=") + binds);
+    }
+    const Variable core("GOMP_CPU_AFFINITY", "0");
+    for (const char* loose : {"false", "False", " FALSE"}) {
+        const Variable bind("OMP_PROC_BIND", loose);
+        EXPECT_EQ(binding(), "") << loose;
+    }
+    for (const char* ignored : {"", "yes", "true,close"}) {
+        const Variable bind("OMP_PROC_BIND", ignored);
+        EXPECT_EQ(binding(), "GOMP_CPU_AFFINITY=0") << ignored;
+    }
 }
 
 // The available cores are the cores that the process had at its start. If a thread changes its own affinity mask, they

@@ -5,11 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <vector>
+
+#include "core/base/error.h"
 
 namespace mandelmarch {
 namespace {
@@ -53,6 +56,19 @@ TEST(Environment, IsReadThroughItsTable)
         }
     }
     EXPECT_EQ(readers, std::vector<fs::path>{"core/base/environment.cpp"});
+}
+
+TEST(Environment, SecondsAreANumberInTheirRange)
+{
+    const char* const name = "MANDELMARCH_FFMPEG_TIMEOUT";
+    for (const char* wrong : {"abc", "-5", "nan", "0", "5s", "1e7"}) {
+        setenv(name, wrong, 1);
+        EXPECT_THROW(environment_seconds("MANDELMARCH_FFMPEG_TIMEOUT", 30), InputError) << wrong;
+    }
+    setenv(name, "2.5", 1);
+    EXPECT_EQ(environment_seconds("MANDELMARCH_FFMPEG_TIMEOUT", 30), 2.5);
+    unsetenv(name);
+    EXPECT_EQ(environment_seconds("MANDELMARCH_FFMPEG_TIMEOUT", 30), 30);
 }
 
 TEST(Environment, HelpNamesAProgramsOwnVariables)

@@ -11,7 +11,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <system_error>
 
+#include "core/base/child_process.h"
 #include "core/base/error.h"
 #include "core/render/registry.h"
 #include "tests/scenes.h"
@@ -21,7 +23,23 @@ namespace {
 
 // Behaviours of the fake driver, which misbehave() implements. The index of the device selects one. `conducts` is their
 // number.
-enum Conduct : int { draws, aborts, crashes, exits, leaves, hangs, refuses, lacks, dislikes, starves, conducts };
+enum Conduct : int {
+    draws,
+    aborts,
+    crashes,
+    exits,
+    leaves,
+    hangs,
+    refuses,
+    lacks,
+    dislikes,
+    starves,
+    orphans,
+    scribbles,
+    stops,
+    fails,
+    conducts
+};
 // The call in which the driver misbehaves.
 enum class Where { listing, opening, drawing, releasing, nowhere };
 
@@ -42,6 +60,16 @@ void misbehave(Conduct conduct)
         case lacks: throw Unavailable("the driver has no double");
         case dislikes: throw InputError("--simd-width: the driver dislikes 3");
         case starves: throw std::bad_alloc();
+        case orphans:
+            if (fork() == 0) sleep(5);  // holds all descriptors
+            std::_Exit(0);
+        case scribbles:
+            for (int descriptor = 3; descriptor < 100; ++descriptor) {
+                for (int again = 0; again < 3; ++again) static_cast<void>(!write(descriptor, "x", 1));
+            }
+            break;
+        case stops: kill(getppid(), SIGSTOP); std::_Exit(0);
+        case fails: throw std::system_error(EAGAIN, std::generic_category());
         default: break;
     }
 }
@@ -219,14 +247,18 @@ TEST_F(Isolation, ErrorsComeThroughAsTheyAre)
     EXPECT_EQ(thrown_by<Unavailable>(create(lacks)), "the driver has no double");
     EXPECT_EQ(thrown_by<InputError>(create(dislikes)), "--simd-width: the driver dislikes 3");
     EXPECT_NE(thrown_by<std::bad_alloc>(create(starves)), "");
+    EXPECT_EQ(thrown_by<Error>(create(fails)), "backend made: Resource temporarily unavailable");
 }
 
 TEST_F(Isolation, AProcessThatEndsIsAnErrorThatSaysWhereAndHow)
 {
     const auto opening = made(Where::opening);
     const auto drawing = made(Where::drawing);
-    for (const auto& [conduct, how] : std::vector<std::pair<Conduct, std::string>>{
-             {aborts, "signal 6"}, {crashes, "signal 11"}, {exits, "exit code 0"}, {leaves, "exit code 0"}}) {
+    for (const auto& [conduct, how] : std::vector<std::pair<Conduct, std::string>>{{aborts, "signal 6"},
+                                                                                   {crashes, "signal 11"},
+                                                                                   {exits, "exit code 0"},
+                                                                                   {leaves, "exit code 0"},
+                                                                                   {orphans, "exit code 0"}}) {
         const RendererOptions options{.device = conduct};
         const auto renderer = drawing->create(options);
         const std::string why = thrown_by<Error>([&] { drawn(*renderer, bad_scene()); });
@@ -239,6 +271,33 @@ TEST_F(Isolation, AProcessThatEndsIsAnErrorThatSaysWhereAndHow)
         EXPECT_NE(before.find("while opening the device"), std::string::npos) << before;
         // Afterwards the same renderer renders in a new process.
         EXPECT_TRUE(drawn(*renderer));
+    }
+}
+
+// If SIGCHLD is ignored, the system does not report how processes end.
+TEST_F(Isolation, AnIgnoredSignalHidesNoCrash)
+{
+    std::signal(SIGCHLD, SIG_IGN);
+    const auto backend = made(Where::opening);
+    const std::string why = thrown_by<Error>([&] { backend->create({.device = crashes}); });
+    EXPECT_NE(why.find("signal 11"), std::string::npos) << why;
+    EXPECT_THROW(ChildProcess({.words = {"false"}}).end(), Error);
+    std::signal(SIGCHLD, SIG_DFL);
+    EXPECT_EQ(ChildProcess({.words = {"false"}}).end().code, 1);
+}
+
+// The driver writes into all descriptors, or stops the process that has started its own.
+TEST_F(Isolation, ADriverThatDisturbsOthersIsAnError)
+{
+    const auto other = made(Where::nowhere);
+    const auto backend = made(Where::drawing);
+    for (const Conduct conduct : {scribbles, stops}) {
+        const auto renderer = backend->create({.device = conduct});
+        EXPECT_THROW(drawn(*renderer, bad_scene()), Error);
+        if (conduct == scribbles) {
+            EXPECT_TRUE(drawn(*renderer));
+        }
+        EXPECT_TRUE(drawn(*other->create({.device = draws})));
     }
 }
 

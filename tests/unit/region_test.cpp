@@ -31,7 +31,7 @@ class Regions : public testing::TestWithParam<std::string> {};
 
 TEST_P(Regions, HaveTheBitsOfTheWholePicture)
 {
-    const Registry registry = program_backends(0, nullptr);
+    const Registry registry = all_backends();
     const Backend* backend = registry.find(GetParam());
     if (const auto why = backend->unavailable()) GTEST_SKIP() << *why;
     const bool host = GetParam() == "openmp";
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Regions, testing::ValuesIn(built({"openmp", "refere
 // Negative control: the picture of a region that is one pixel further right is different.
 TEST(Region, OneAsideIsAnother)
 {
-    const Registry registry = program_backends(0, nullptr);
+    const Registry registry = all_backends();
     const Scene scene = official_scene(fractals().front(), 75, 61);
     const auto renderer = registry.find("openmp")->create({});
     const auto a = render_region(*renderer, scene, {20, 20, 30, 20}, Image::Layers::all).first;

@@ -116,15 +116,13 @@ TEST(Trial, ChangesNothingWhereStepsWereFine)
     }
 }
 
-// A backend that draws nothing. Its renderers store the sizes of the pictures and whether a trial chose their steps.
+// The width of each picture, and whether a trial has chosen its steps.
+using Recorded = std::vector<std::pair<int, bool>>;
+
+// A backend that draws nothing, but records its pictures.
 class Recording : public Backend, public Renderer {
 public:
-    struct Picture {
-        int width, height;
-        bool tried;
-        bool operator==(const Picture&) const = default;
-    };
-    explicit Recording(std::vector<Picture>& pictures) : pictures_(pictures) {}
+    explicit Recording(Recorded& pictures) : pictures_(pictures) {}
     std::string_view name() const override { return "recording"; }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {Device{}}; }
@@ -134,26 +132,26 @@ public:
     }
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
-        pictures_.push_back({image.width(), image.height(), scene.limits.tried});
+        pictures_.emplace_back(image.width(), scene.limits.tried);
         std::ranges::fill(image.bytes(), std::uint8_t{0});
         if (progress) progress(1);
         return {};
     }
 
 private:
-    std::vector<Picture>& pictures_;
+    Recorded& pictures_;
 };
 
 TEST(Trial, EndsAfterThePictureInWhichItIsCancelled)
 {
-    std::vector<Recording::Picture> pictures;
+    Recorded pictures;
     const auto renderer = with_trials(std::make_unique<Recording>(pictures))->create({.mode = Mode::fast});
     Image image(320, 320, Image::Layers::bytes);
     const Scene scene = official_scene("bulb", 320, 320);
     std::stop_source source;
     source.request_stop();
     EXPECT_THROW(renderer->render(scene, image, Progress(source.get_token())), Cancelled);
-    EXPECT_EQ(pictures, (std::vector<Recording::Picture>{{32, 32, false}}));
+    EXPECT_EQ(pictures, (Recorded{{32, false}}));
     std::vector<double> shares;
     renderer->render(scene, image, [&](double share) { shares.push_back(share); });
     EXPECT_EQ(shares, (std::vector<double>{0, 0, 1}));
@@ -161,12 +159,11 @@ TEST(Trial, EndsAfterThePictureInWhichItIsCancelled)
 
 TEST(Trial, OfTheFirstStripServesTheWholeRegion)
 {
-    std::vector<Recording::Picture> pictures;
+    Recorded pictures;
     const auto renderer = with_trials(std::make_unique<Recording>(pictures))->create({.mode = Mode::fast});
     const RenderStats report =
         render_region(*renderer, official_scene("bulb", 4096, 4096), {7, 0, 40, 2048}, Image::Layers::bytes).second;
-    EXPECT_EQ(pictures, (std::vector<Recording::Picture>{
-                            {32, 32, false}, {32, 32, false}, {4096, 1024, false}, {4096, 1024, true}}));
+    EXPECT_EQ(pictures, (Recorded{{32, false}, {32, false}, {4096, false}, {4096, true}}));
     EXPECT_EQ(report.step_factor, plain_step_factor);
 }
 

@@ -7,10 +7,9 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/memory.h"
 #include "core/base/output_file.h"
 #include "core/image/formats/image_file.h"
@@ -103,10 +102,7 @@ std::size_t append_place(const std::string& file, const Scene& scene)
 
 Scene read_view(const std::string& file, const Fractal& hint)
 {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    // If the file cannot be read, read_parameters() throws the error with the right message.
-    return text.empty() ? read_parameters(file, hint).scene : view_of_text(text, file, hint);
+    return view_of_text(text_of_file(file, "parameter file"), file, hint);
 }
 
 void PictureTask::start(const Registry& registry, const Setup& setup, Scene scene, const std::string& name)

@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/base/environment.h"
+#include "core/base/input_file.h"
+#include "core/base/json.h"
 #include "core/base/output_file.h"
 #include "core/image/image.h"
 
 namespace mandelmarch::explore {
 
 using Json = nlohmann::ordered_json;
+
+constexpr int most_window_side = 8192;  // pixels; SDL refuses windows that are much larger
 
 std::string settings_file()
 {
@@ -25,13 +27,17 @@ std::string settings_file()
 Settings read_settings(const std::string& file, std::string& said)
 {
     Settings settings;
-    std::ifstream in(file, std::ios::binary);
-    if (file.empty() || !in) return settings;
+    std::error_code none;
+    if (file.empty() || !std::filesystem::exists(file, none)) return settings;
     try {
-        const Json json = Json::parse(in);
+        const Json json = parse_json<Json>(own_file(file).value_or(""), file);
         Settings read;
-        read.width = std::clamp(json.value("width", read.width), 160, max_side);
-        read.height = std::clamp(json.value("height", read.height), 160, max_side);
+        read.width = std::max(json.value("width", read.width), 160);
+        read.height = std::max(json.value("height", read.height), 160);
+        if (std::max(read.width, read.height) > most_window_side) {
+            said = file + ": the window is too large, so the defaults are used";
+            return settings;
+        }
         read.setup.backend = json.value("backend", read.setup.backend);
         read.setup.device = std::max(0, json.value("device", 0));
         read.setup.precision = json.value("precision", "float") == "double" ? Precision::f64 : Precision::f32;
@@ -43,7 +49,7 @@ Settings read_settings(const std::string& file, std::string& said)
         read.panel = json.value("panel", read.panel);
         read.statistics = json.value("statistics", read.statistics);
         return read;
-    } catch (const Json::exception&) {
+    } catch (const std::exception&) {
         said = file + ": not a settings file, so the defaults are used";
         return settings;
     }
@@ -51,7 +57,7 @@ Settings read_settings(const std::string& file, std::string& said)
 
 void write_settings(const std::string& file, const Settings& settings)
 {
-    if (file.empty()) return;
+    if (file.empty() || OutputFile::is_stream(file)) return;
     std::error_code ignored;
     std::filesystem::create_directories(std::filesystem::path(file).parent_path(), ignored);
     const Json json{{"width", settings.width},

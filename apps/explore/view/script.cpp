@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "cli/option_values.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/image/image.h"
 #include "core/scene/fractal.h"
 
@@ -198,8 +198,7 @@ void check(const ScriptLine& line)
 
 Script read_script(const std::string& file)
 {
-    std::ifstream in(file);
-    if (!in) throw InputError(fmt::format("{}:1: cannot be opened, expected a script", file));
+    std::istringstream in(text_of_file(file, "script"));
     std::vector<ScriptLine> lines;
     int number = 0;
     for (std::string text; std::getline(in, text);) {

@@ -17,7 +17,6 @@ namespace narrow {
 #include "backends/openmp/packs/squares.h"
 #include "backends/openmp/packs/begin.h"
 #include "backends/openmp/packs/pool.h"
-#include "backends/openmp/packs/profile.h"
 #if MM_COUNTED
 #include "backends/openmp/packs/samples.h"
 #endif

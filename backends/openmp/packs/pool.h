@@ -10,40 +10,20 @@
 // The scheduler itself processes one SIMD register at a time, so that its values stay in registers. DE evaluations and
 // shading use wider packs, in which the operations on one register hide the latency of those on another.
 
-// The clock that draw_tiles() passes to draw_with(). It measures nothing.
-struct NoClock {
-    HWY_INLINE void after(Drawing&, Stage) const {}
-    HWY_INLINE void finish(Drawing& d) const { shade_pool(d, true); }
-};
-
-// Renders tiles until none are left. Calls clock.after() after each pass; clock.finish() shades the remaining rays.
-template <class Clock>
-HWY_INLINE void draw_with(Drawing& d, Clock clock)
-{
-    bool more = true;
-    while (more || d.pools.marching.size > 0) {
-        more = more && begin_tiles(d);
-        clock.after(d, Stage::begin);
-        march_pool(d);
-        clock.after(d, Stage::march);
-        while (d.pools.hits.size > pool_rays / 2) {
-            refine_pool(d);
-            clock.after(d, Stage::refine);
-        }
-    }
-    while (d.pools.hits.size > 0) {
-        refine_pool(d);
-        clock.after(d, Stage::refine);
-    }
-    clock.finish(d);
-}
-
+// Renders tiles until none are left.
 HWY_MAYBE_UNUSED WorkCounts draw_tiles(const KernelScene<MM_REAL>& scene, const Canvas<MM_REAL>& canvas,
                                        const Tiles& tiles, void* memory, const Sampling& sampling,
                                        const Shading& shading)
 {
     Drawing d = drawing(scene_as<Scene>(scene), canvas, tiles, *static_cast<Pools*>(memory), sampling, shading);
-    draw_with(d, NoClock());
+    bool more = true;
+    while (more || d.pools.marching.size > 0) {
+        more = more && begin_tiles(d);
+        march_pool(d);
+        while (d.pools.hits.size > pool_rays / 2) refine_pool(d);
+    }
+    while (d.pools.hits.size > 0) refine_pool(d);
+    shade_pool(d, true);
     return d.spent;
 }
 

@@ -3,6 +3,7 @@
 // pixel's bytes are blue, green, red; each row is padded to a multiple of four bytes. Numbers are little-endian.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdlib>
@@ -128,8 +129,12 @@ BmpPixels read_header(std::span<const std::byte> data, const Refuse& refuse)
     // The masks follow the 40-byte BITMAPINFOHEADER; larger headers contain them at the same position.
     constexpr std::size_t masks_size = 12;
     if (masked && data.size() < header_size + masks_size) refuse("the file ends in its header");
+    std::uint32_t taken = 0;
     for (std::size_t i = 0; masked && i < pixels.masks.size(); ++i) {
-        pixels.masks.at(i) = bmp_mask(get(data, header_size + 4 * i, 4), refuse);
+        const std::uint32_t mask = get(data, header_size + 4 * i, 4);
+        if ((mask & taken) != 0) refuse("its colours' masks overlap");
+        taken |= mask;
+        pixels.masks.at(i) = bmp_mask(mask, refuse);
     }
     return pixels;
 }
@@ -147,6 +152,9 @@ Image decode_bmp(std::span<const std::byte> data, const std::string& name)
     if (pixels.start < header_size || pixels.start > data.size() || (data.size() - pixels.start) / stride < rows) {
         refuse("the file ends in its pixels");
     }
+    // The header has the size of the file, which may have a colour profile behind its pixels. Some programs write 0.
+    const std::size_t end = std::max<std::size_t>(get(data, 2, 4), pixels.start + stride * rows);
+    if (end < data.size()) refuse(fmt::format("{} bytes follow the picture", data.size() - end));
     Image image(pixels.width, pixels.height, Image::Layers::bytes);
     std::uint8_t* to = image.bytes().data();
     const int bytes = pixels.bits / 8;

@@ -6,38 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string_view>
-#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/memory.h"
 #include "core/image/formats/formats.h"
 #include "core/image/image.h"
 
 namespace mandelmarch {
 namespace {
-
-using Bytes = std::vector<std::byte>;
-
-// Appends up to `size` bytes of the file to `data`. Returns false if the file ended before.
-bool read_some(std::ifstream& file, Bytes& data, std::size_t size)
-{
-    const std::size_t before = data.size();
-    data.resize(before + size);
-    file.read(reinterpret_cast<char*>(data.data() + before), static_cast<std::streamsize>(size));
-    data.resize(before + static_cast<std::size_t>(file.gcount()));
-    return data.size() == before + size;
-}
-
-bool begins_with(const Bytes& data, std::string_view text)
-{
-    return data.size() >= text.size() && std::memcmp(data.data(), text.data(), text.size()) == 0;
-}
 
 struct KnownEnding {
     std::string_view ending;
@@ -50,12 +30,11 @@ constexpr std::array known_endings{KnownEnding{".bmp", ImageFormat::bmp},  Known
 
 constexpr int largest_jpeg = 65'500;  // libjpeg's max width and height, pixels
 
-bool is_pnm(const Bytes& data)
+bool is_pnm(std::string_view data)
 {
     constexpr std::string_view kinds = "2356";
-    return begins_with(data, "P") && data.size() > 2 &&
-           kinds.find(std::to_integer<char>(data[1])) != std::string_view::npos &&
-           std::isspace(std::to_integer<unsigned char>(data[2])) != 0;
+    return data.starts_with("P") && data.size() > 2 && kinds.find(data[1]) != std::string_view::npos &&
+           std::isspace(static_cast<unsigned char>(data[2])) != 0;
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why)
@@ -91,9 +70,9 @@ void check_image_size(ImageFormat format, int width, int height)
         width, height, size));
 }
 
-void write_image(const std::string& path, ImageFormat format, const Image& image)
+void write_image(const std::string& path, ImageFormat format, const Image& image, NamedBy named)
 {
-    OutputFile file(path);
+    OutputFile file(path, named);
     switch (format) {
         case ImageFormat::bmp: write_bmp(file, image); break;
         case ImageFormat::png: write_png(file, path, image); break;
@@ -119,27 +98,18 @@ void check_claim(const std::string& name, const Claim& claim)
 
 Image read_image(const std::string& path)
 {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) refuse(path, "it is a directory");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) refuse(path, std::strerror(errno));
+    InputFile file(path, "picture");
     constexpr std::size_t first = 4;  // number of bytes that determine the format
-    Bytes data;
-    read_some(file, data, first);
-    auto* const decode = begins_with(data, "\x89PNG")            ? decode_png
-                         : begins_with(data, "\x76\x2f\x31\x01") ? decode_exr
-                         : begins_with(data, "BM")               ? decode_bmp
-                         : is_pnm(data)                          ? decode_pnm
-                                                                 : nullptr;
-    if (decode == nullptr) refuse(path, "it is no BMP, PNG, PNM or EXR");
-    const std::uint64_t size = std::filesystem::file_size(path, ignored);
-    constexpr std::uint64_t least = 1 << 20;
-    const std::size_t step = ignored ? least : std::max(size, least);  // a pipe's size is unknown
-    const std::uint64_t most = available_memory();
-    do {
-        if (step > most || data.size() > most - step) refuse(path, "it is larger than the memory available");
-    } while (read_some(file, data, step));
-    return decode(data, path);
+    std::string data;
+    file.append(data, first);
+    auto* const decode = data.starts_with("\x89PNG")            ? decode_png
+                         : data.starts_with("\x76\x2f\x31\x01") ? decode_exr
+                         : data.starts_with("BM")               ? decode_bmp
+                         : is_pnm(data)                         ? decode_pnm
+                                                                : nullptr;
+    if (decode == nullptr) file.refuse("it is no BMP, PNG, PNM or EXR");
+    file.append(data, std::numeric_limits<std::size_t>::max());
+    return decode(std::as_bytes(std::span(data)), path);
 }
 
 }  // namespace mandelmarch

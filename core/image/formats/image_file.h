@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/files.h"
 #include "core/image/image.h"
 
 namespace mandelmarch {
@@ -32,7 +33,7 @@ void check_image_size(ImageFormat format, int width, int height);
 // layers. The channels of an EXR file are R, G and B (linear light: the displayed values without the sRGB curve);
 // displayed.R, displayed.G and displayed.B; Z (the depth t, +infinity without a hit); steps; and iterations. Throws
 // Error with the path and the cause.
-void write_image(const std::string& path, ImageFormat format, const Image& image);
+void write_image(const std::string& path, ImageFormat format, const Image& image, NamedBy named = NamedBy::user);
 
 // Reads a picture. Its first bytes determine the format:
 // BMP: 24 or 32 bits per pixel, uncompressed, with any masks.

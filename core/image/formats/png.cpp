@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/image/formats/formats.h"
@@ -80,6 +81,9 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
     if (png_image_finish_read(&header, &black, image.bytes().data(), row_stride(image), nullptr) == 0) {
         refuse(header.message);
     }
+    const std::string_view bytes(reinterpret_cast<const char*>(data.data()), data.size());
+    constexpr std::string_view end("\0\0\0\0IEND\xae\x42\x60\x82", 12);  // the last chunk, with its checksum
+    if (bytes.find(end) != bytes.size() - end.size()) refuse("it does not end where its picture ends");
     return image;
 }
 

@@ -43,7 +43,10 @@ public:
                             .most_bytes = left + (text ? 1 : 0),
                             .decoder = 0,
                             .layers = Image::Layers::bytes});
-        if (!text) ++at_;
+        // Programs for Windows write CR and LF before the pixels. LF may also be the first pixel: the size decides.
+        const bool pair = left == bytes * channels * width * height + 1 && data_[at_] == std::byte{'\r'} &&
+                          data_[at_ + 1] == std::byte{'\n'};
+        if (!text) at_ += pair ? 2 : 1;
         Image image(static_cast<int>(width), static_cast<int>(height), Image::Layers::bytes);
         for (std::size_t y = height; y-- > 0;) {
             std::uint8_t* to = image.bytes().data() + 3 * y * width;
@@ -52,6 +55,8 @@ public:
                 if (channels == 1) to[1] = to[2] = to[0];
             }
         }
+        while (text && at_ < data_.size() && is_blank()) ++at_;
+        if (at_ < data_.size()) refuse_pnm(name_, fmt::format("{} bytes follow the picture", data_.size() - at_));
         return image;
     }
 
@@ -91,7 +96,8 @@ private:
 
     std::uint8_t byte(std::uint32_t value) const
     {
-        return static_cast<std::uint8_t>((255 * std::min(value, most_) + most_ / 2) / most_);
+        if (value > most_) refuse_pnm(name_, fmt::format("a sample is {} and the largest value {}", value, most_));
+        return static_cast<std::uint8_t>((255 * value + most_ / 2) / most_);
     }
 
     std::span<const std::byte> data_;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parallelisation: the profile, the directives, the threads, and the gain from each technique."""
+"""Parallelisation: the directives, the threads, and the gain from each technique."""
 
 from typing import Any
 
@@ -10,7 +10,6 @@ from ..blocks import Block, Missing, Table, seen
 from ..docs import code
 from ..figures import sweeps
 from ..figures.parallel import pixels
-from ..figures.profile import STAGES, profile, stage_medians
 from . import Material
 from .sweeps import THREADS, sweep
 
@@ -28,17 +27,6 @@ DIRECTIVES = [
     ("backends/openacc/loops.cpp.in", "void march_@variant@("),
     ("backends/openmp/openmp.cpp", "#pragma omp parallel num_threads(threads_) reduction"),
 ]
-
-
-def _march(material: Material) -> str:
-    """Returns the statement that marching takes most of the time, or no text if a profile contradicts it."""
-    shares = [
-        stages["march"] / sum(stages.get(stage, 0) for stage in STAGES)
-        for bench in material.results.study("profile")
-        for stages in stage_medians(bench).values()
-        if "march" in stages
-    ]
-    return "marching takes most of the time" if shares and min(shares) > 0.5 else ""
 
 
 def _traced(material: Material, bench: Bench, row: Row) -> Markup:
@@ -92,17 +80,12 @@ def _worth(material: Material) -> str:
 
 def section(material: Material) -> dict[str, Any]:
     results = material.results
-    march, worth = _march(material), _worth(material)
-    main = f"{march}, for every fractal, precision and mode." if march else ""
-    profiles = [seen(figure, main) for bench in results.study("profile") if (figure := profile(bench))]
+    worth = _worth(material)
     ablations = [seen(figure, worth) for bench in results.study("ablation") if (figure := sweeps.ablation(bench))]
     return {
-        "march": march,
         "pixels": pixels(),
         "distribution": Table(["backend", "distribution of the work"], DISTRIBUTION, "Distribution of pixels and frames."),
         "directives": [(file, code(file, begin)) for file, begin in DIRECTIVES],
-        "profiles": profiles
-        or [Missing("The profile", "bin/bench --study profile --json results/profile.json")],
         "scaling": _scaling(material),
         "threads": _threads(material),
         "ablation": ablations
