@@ -154,6 +154,8 @@ tidy: ## clang-tidy on every source (over 10 min)
 	@tools/lint tidy
 
 results-page: python ## write docs/results.md and the figures of README from results/ (3 s)
+	@tools/build $(HERE) bench
+	@$(call take,$(HERE),bench)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.results_page
 
 RESULTS ?= results

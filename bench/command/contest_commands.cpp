@@ -86,7 +86,7 @@ Run duel_command(CLI::App& app, const Registry& registry)
         ->check(CLI::IsMember({"wall", "processor"}))
         ->default_str("wall");
     state->outputs.option(app, "--json", "write the result as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
+                          [s = state.get()] { return text_of(facts_of(s->found)); });
     return [state] {
         const DuelOptions& options = state->options;
         return state->outputs.deliver({options.old_program, options.new_program}, [&]() -> Outputs::Done {
@@ -123,7 +123,7 @@ Run race_command(CLI::App& app, const Registry& registry)
         ->capture_default_str();
     app.footer("docs/race.md explains the table.");
     state->outputs.option(app, "--json", "write the result as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
+                          [s = state.get()] { return text_of(facts_of(s->found)); });
     return [state, &registry] {
         std::vector<std::string> read = state->options.programs;
         if (!state->options.scene.empty()) read.push_back(state->options.scene);
@@ -149,7 +149,7 @@ Run random_command(CLI::App& app, const Registry& registry)
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->capture_default_str();
     state->outputs.option(app, "--json", "write the results of all scenes as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
+                          [s = state.get()] { return text_of(facts_of(s->found)); });
     return [state, &registry] {
         return state->outputs.deliver({}, [&]() -> Outputs::Done {
             Display display;
@@ -173,7 +173,7 @@ Run equivalence_command(CLI::App& app, const Registry& registry)
     app.add_option("--seed", o.seed, "seed for the scenes")->check(whole(0, 1'000'000'000))->capture_default_str();
     app.add_option("--folder", *folder, "folder for the parameter files of scenes whose pictures differ");
     state->outputs.option(app, "--json", "write all results as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
+                          [s = state.get()] { return text_of(facts_of(s->found)); });
     return [state, folder, &registry] {
         return state->outputs.deliver({}, [&]() -> Outputs::Done {
             Display display;

@@ -67,7 +67,7 @@ void add_options(CLI::App& app, const Registry& registry, Measurement& m)
         ->check(whole(0, 1'000'000'000))
         ->capture_default_str();
     m.outputs.option(app, "--json", "write all results and samples as JSON to this file (-: standard output)",
-                     [&] { return text_of(json_of(m.result)); });
+                     [&] { return text_of(facts_of(m.result)); });
     m.outputs.option(app, "--csv", "write one line per configuration to this file (-: standard output)",
                      [&] { return to_csv(m.result); });
     app.add_flag("--list", m.list, "list configurations and studies; measure nothing");

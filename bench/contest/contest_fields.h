@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bench/contest/duel.h"
-#include "bench/files/fields.h"
+#include "bench/files/document.h"
 #include "bench/contest/race.h"
 #include "bench/files/result_fields.h"
 
@@ -25,13 +25,14 @@ inline constexpr auto fields_of<DuelSide> =
 
 template <>
 inline constexpr auto fields_of<DuelPair> = Description{
-    "pair", field("run", &DuelPair::run), field("round", &DuelPair::round),
-    field("old", &DuelPair::old_seconds, "", rules::seconds), field("new", &DuelPair::new_seconds, "", rules::seconds)};
+    "pair", field("run", &DuelPair::run, "", rules::required), field("round", &DuelPair::round, "", rules::required),
+    field("old", &DuelPair::old_seconds, "", rules::required_seconds),
+    field("new", &DuelPair::new_seconds, "", rules::required_seconds)};
 
 template <>
 inline constexpr auto fields_of<DuelRow> =
     Description{"row",
-                field("name", &DuelRow::name),
+                field("name", &DuelRow::name, "", rules::required),
                 field("old_failure", &DuelRow::old_failure, "", rules::text_or_null),
                 field("new_failure", &DuelRow::new_failure, "", rules::text_or_null),
                 field("same_picture", &DuelRow::same_picture, "",
@@ -49,8 +50,8 @@ inline constexpr auto fields_of<Duel> = Description{
     field("runs", &Duel::runs, "", {.about = "Number of complete runs of each program."}),
     field("rounds", &Duel::rounds, "", {.about = "Rounds in each run."}),
     field("warnings", &Duel::warnings),
-    field("verdicts", &Duel::verdicts),
-    field("rows", &Duel::rows)};
+    derived_field("verdicts", &Duel::verdicts),
+    field("rows", &Duel::rows, "", rules::required)};
 
 template <>
 inline constexpr auto fields_of<RacePicture> =
@@ -67,28 +68,28 @@ inline constexpr auto fields_of<RacePicture> =
                 field("psnr_db", &RacePicture::psnr, "", rules::infinite)};
 
 template <>
-inline constexpr auto fields_of<RaceSample> =
-    Description{"sample", field("round", &RaceSample::round), field("wall", &RaceSample::seconds, "", rules::seconds),
-                field("processor", &RaceSample::processor, "", rules::seconds)};
+inline constexpr auto fields_of<RaceSample> = Description{
+    "sample", field("round", &RaceSample::round), field("wall", &RaceSample::seconds, "", rules::required_seconds),
+    field("processor", &RaceSample::processor, "", rules::seconds)};
 
 template <>
 inline constexpr auto fields_of<RacedProgram> = Description{
     "program",
-    derived_field("name", [](const RacedProgram& racer) { return printable(racer.name); }),
+    field("name", &RacedProgram::name),
     field("ours", &RacedProgram::ours),
-    field("verdict", &RacedProgram::verdict),
-    derived_field("why", [](const RacedProgram& racer) { return printable(racer.why); }, "",
-                  {.null = Null::empty, .about = "Why the verdict is neither same nor close; else null."}),
+    field("verdict", &RacedProgram::verdict, "", rules::required),
+    field("why", &RacedProgram::why, "",
+          {.null = Null::empty, .about = "Why the verdict is neither same nor close; else null."}),
     field("exit_code", &RacedProgram::exit_code, "",
           {.about = "Of the last run that ended by itself; null if none did."}),
     field("signal", &RacedProgram::signal, "", {.about = "Signal that ended the last run; null if none did."}),
     field("picture", &RacedProgram::picture, "",
           {.about = "Comparison with the scalar kernel's picture; null if there is no picture of the right size."}),
     field("memory", &RacedProgram::memory, "", {.about = "Peak resident bytes of the program's largest process."}),
-    field("wall", &RacedProgram::wall, "",
-          {.about = "Seconds from start to end; null unless all pictures are correct."}),
-    field("times_ours", &RacedProgram::times_ours, "",
-          {.about = "This program's wall time / the wall time of our first program."}),
+    derived_field("wall", &RacedProgram::wall, "",
+                  {.about = "Seconds from start to end; null unless all pictures are correct."}),
+    derived_field("times_ours", &RacedProgram::times_ours, "",
+                  {.about = "This program's wall time / the wall time of our first program."}),
     field("samples", &RacedProgram::samples)};
 
 template <>
@@ -102,6 +103,11 @@ inline constexpr auto fields_of<Race> =
                 field("limit", &Race::limit, "", {.about = "Time limit of a program, in seconds."}),
                 field("rounds", &Race::rounds),
                 field("warnings", &Race::warnings),
-                field("programs", &Race::racers)};
+                field("programs", &Race::racers, "", rules::required)};
+
+template <>
+inline constexpr Format format_of<Duel>{"mandelmarch-duel", 2};
+template <>
+inline constexpr Format format_of<Race>{"mandelmarch-race", 2};
 
 }  // namespace mandelmarch::bench

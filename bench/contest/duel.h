@@ -59,8 +59,8 @@ Duel judged(Duel duel);
 
 std::string to_console(const Duel& duel);
 
-// Returns JSON that follows bench/schemas/duel.schema.json.
-nlohmann::ordered_json json_of(const Duel& duel);
+// Returns what a file holds.
+nlohmann::ordered_json facts_of(const Duel& duel);
 
 struct DuelOptions {
     std::string old_program, new_program;  // paths

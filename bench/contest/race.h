@@ -83,8 +83,8 @@ Race timed(Race race);
 
 std::string to_console(const Race& race);
 
-// Returns JSON that follows bench/schemas/race.schema.json.
-nlohmann::ordered_json json_of(const Race& race);
+// Returns what a file holds.
+nlohmann::ordered_json facts_of(const Race& race);
 
 struct RaceOptions {
     std::vector<std::string> programs;        // paths

@@ -55,9 +55,11 @@ says forks 'HUNG'
 says unsteady 'UNSTEADY  *round [0-9], another view: [0-9]* of 2400 pixels differ'
 says stale 'UNSTEADY  *round 0, another view: [0-9]* of 2400 pixels differ'
 says nothing 'NO START  *does not start: '
-python3 - <<'PY'
+python3 - "$bench" <<'PY'
 import json
-right, faults = (json.load(open(name + ".json"))["programs"] for name in ("right", "faults"))
+import subprocess
+import sys
+right, faults = (json.loads(subprocess.check_output([sys.argv[1], "json", name + ".json"]))["programs"] for name in ("right", "faults"))
 assert all(len(p["samples"]) == 6 and p["wall"]["median"] > 0 and p["memory"] > 1e6 for p in right), right
 assert right[0]["ours"] and right[0]["times_ours"] == 1 and not right[1]["ours"]
 assert right[1]["picture"]["visibly_differing"] == 0 and right[1]["picture"]["differing"] < right[2]["picture"]["differing"]

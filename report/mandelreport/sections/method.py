@@ -51,7 +51,7 @@ def _built_for_this_machine(material: Material, file: str) -> Markup:
         ratios = [material.results.number(file, f"/verdicts/{at}/ratio") for at, one in verdicts if mode in one["name"]]
         ends += [pick(ratios, key=lambda number: number.value).html() for pick in (min, max)] if ratios else [Markup("-")] * 2
     return Markup(" Compiled by {} with -march=native, the models take {} to {} times as long in exact mode and {} to {} times in fast mode (on {}; {}).").format(
-        named(build["compiler"]), *ends, named(cpu.get("platform", cpu["model"])), file
+        named(build["compiler"]), *ends, named(cpu["platform"]), file
     )
 
 
