@@ -115,12 +115,12 @@ TITLE ?= $(if $(filter box mandelbox,$(FRACTAL)),Inside the Mandelbox,Inside the
 AUTHORS ?= made with mandelmarch
 video: flythrough ## a four-minute film: video.mp4; FRACTAL=box SEED=7 FRAMES=7200 SIZE=4k TITLE="..." OPTIONS=--stereo (20 min)
 	bin/flythrough film video-path.json --fractal $(FRACTAL) --seed $(SEED) --frames $(FRAMES) --size $(SIZE) $(OPTIONS) \
-	    --title "$(TITLE)" --authors "$(AUTHORS)" --json video-audit.json \
+	    $(if $(TITLE),--title "$(TITLE)") $(if $(AUTHORS),--authors "$(AUTHORS)") --json video-audit.json \
 	    --summary video-summary.json --output video.mp4
 
 video-preview: flythrough ## ten seconds from the middle of a four-minute film, in 640x360: video-preview.mp4 (1 min, estimated)
 	bin/flythrough film video-preview-path.json --fractal $(FRACTAL) --seed $(SEED) --from 115 --to 125 \
-	    --size 640x360 --title "$(TITLE)" --authors "$(AUTHORS)" --output video-preview.mp4
+	    --size 640x360 $(if $(TITLE),--title "$(TITLE)") $(if $(AUTHORS),--authors "$(AUTHORS)") --output video-preview.mp4
 
 contact-sheet: ## frames of video.mp4, its summary and its audit, for the report (10 s, estimated)
 	ffmpeg -v error -y -ss 2 -i video.mp4 -vf "select='isnan(prev_selected_t)+gte(t-prev_selected_t\,10)',scale=320:-2,tile=5x5" \
@@ -154,6 +154,8 @@ tidy: ## clang-tidy on every source (over 10 min)
 	@tools/lint tidy
 
 results-page: python ## write docs/results.md and the figures of README from results/ (3 s)
+	@tools/build $(HERE) bench
+	@$(call take,$(HERE),bench)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport.results_page
 
 RESULTS ?= results

@@ -26,6 +26,7 @@
 #include "flight/film/film.h"
 #include "flight/film/convergence.h"
 #include "flight/film/description.h"
+#include "flight/film/segment_store.h"
 #include "flight/path/path.h"
 #include "flight/plan/planner.h"
 
@@ -78,9 +79,13 @@ void write_map(const Flythrough& options, const Plan& made)
 // flown through. Called before any work is done.
 void check_outputs(const Flythrough& options)
 {
-    const std::vector<NamedFile> written = options.written();
-    refuse_shared_files(written, options.read());
-    for (const NamedFile& file : written) {
+    std::vector<NamedFile> files = options.written();
+    if (options.makes_film() && !OutputFile::is_stream(options.output)) {
+        files.push_back({"the stamp of --output", stamp_path(end_of_links(options.output))});
+        files.push_back({"the segments of --output", parts_folder(options.output, "")});
+    }
+    refuse_shared_files(files, options.read());
+    for (const NamedFile& file : options.written()) {
         if (!file.path.empty()) OutputFile::check(file.path);
     }
     if (options.reads_path()) return;
@@ -235,7 +240,10 @@ int run(const Registry& registry, Flythrough options)
     const auto ranks = make_ranks();
     try {
         if (ranks->rank() == 0) check_outputs(options);
-        const Backend& backend = chosen_backend(registry, options.backend, ranks->rank() == 0);
+        if (!options.segments) refuse_singletons(*ranks);
+        const RendererOptions heeded{.threads = options.threads};
+        const Backend& backend = chosen_backend(registry, options.backend, ranks->rank() == 0, heeded);
+        refuse_unheeded(registry, backend, heeded);
         const RendererOptions renderer = renderer_of(options, backend, *ranks);
         // Throws here, before planning, if the device is missing.
         static_cast<void>(backend.create(renderer));

@@ -49,6 +49,8 @@ struct Flythrough {
 
     // Returns true if the command reads the path from a file; false: it plans the path.
     bool reads_path() const { return command != Command::plan && command != Command::film; }
+    // Returns true if the command makes a film, not only stills.
+    bool makes_film() const { return command != Command::plan && command != Command::audit && stills.empty(); }
     Picture picture() const { return {width, height, samples, look, projection, stereo}; }
     // Returns the files that the command writes, each with its option. read() returns the files that the command reads.
     // The path of a file is empty if its option is not given.

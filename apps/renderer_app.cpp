@@ -54,6 +54,7 @@ struct Options {
     std::string output;
     std::string stats;
     std::string pixel;
+    std::string without;
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;
@@ -68,6 +69,26 @@ struct Options {
     bool lists() const { return list_devices || list_fractals; }
 };
 
+// Throws InputError if an option was given that has no effect in what the program does.
+void refuse_unused(const CLI::App& app, const Options& options)
+{
+    if (options.list_devices) refuse_others(app, "--list-devices", {"--list-devices"});
+    if (options.list_fractals) refuse_others(app, "--list-fractals", {"--list-fractals", "--json"});
+    std::vector<std::string> taken{"PARAMS",     "--fractal",   "--size", "--projection",
+                                   "--estimate", "--precision", "--mode", "--without"};
+    if (options.print_scene) {
+        taken.emplace_back("--print-scene");
+        refuse_others(app, "--print-scene", taken);
+    }
+    if (!options.trace) return;
+    taken.insert(taken.end(), {"--trace", "--pixel"});
+    RendererOptions renderer = options.renderer;
+    renderer.techniques = techniques_without(options.without);
+    // Only a trial uses a backend.
+    if (is_tried(renderer)) taken.insert(taken.end(), {"--backend", "--device", "--threads", "--simd-width"});
+    refuse_others(app, "--trace", taken);
+}
+
 Options parse_options(const char* program, const char* fractal, const Registry& registry, int argc, char** argv,
                       std::optional<int>& done)
 {
@@ -75,7 +96,6 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
                              fractal != nullptr ? fractal : "fractal"));
     app.set_version_flag("--version", version_line(program));
     Options options;
-    std::string without;
     app.add_option("PARAMS", options.parameters,
                    fmt::format("parameter file (.dat); -: standard input{}",
                                fractal == nullptr ? "; without it, renders the fractal's official scene" : ""));
@@ -100,7 +120,7 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
     app.add_option("--simd-width", options.renderer.simd_width,
                    "pixels computed at once per core; 1: scalar, 0 (default): automatic")
         ->check(whole(0, 1024));
-    app.add_option("--without", without,
+    app.add_option("--without", options.without,
                    "disable optimisations, for ablation: "
                    "hull,relaxation,cones,neighbours,trial,refinement,tail,gradient,shared-occlusion");
     app.add_option("--output", options.output,
@@ -135,7 +155,8 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20, environment_help(program)));
     done = parse_arguments(app, program, argc, argv);
     if (done) return options;
-    options.renderer.techniques = techniques_without(without);
+    refuse_unused(app, options);
+    options.renderer.techniques = techniques_without(options.without);
     options.parameters = input_name(options.parameters);
     options.output = output_name(options.output);
     options.stats = output_name(options.stats);
@@ -249,6 +270,17 @@ void warn_unsettled(const char* program, double off, Precision precision)
         100 * off, precision == Precision::f32 ? "float's digits are too few (--precision double has more) or " : "");
 }
 
+// Returns the chosen backend. Throws InputError if it does not support an option that was given.
+const Backend& drawing_backend(const Registry& registry, const Options& options)
+{
+    const Backend& backend = chosen_backend(registry, options.backend, true, options.renderer);
+    refuse_unheeded(registry, backend, options.renderer);
+    if (!options.without.empty() && backend.info().role == Role::reference) {
+        throw InputError(fmt::format("--without: not supported by backend {}, expected another one", backend.name()));
+    }
+    return backend;
+}
+
 // Prints the trace of a pixel's ray. In fast mode, a trial render on the backend first chooses the step factor
 // (core/render/trial.h).
 void print_trace(const char* program, const Options& options, const Registry& registry, Scene scene)
@@ -260,7 +292,7 @@ void print_trace(const char* program, const Options& options, const Registry& re
         throw InputError(fmt::format("--pixel: '{}' given, expected {}", options.pixel, expected));
     }
     if (is_tried(options.renderer)) {
-        const Backend& backend = chosen_backend(registry, options.backend, true, options.renderer);
+        const Backend& backend = drawing_backend(registry, options);
         const Trial trial = try_steps(scene, backend, options.renderer);
         scene.limits.step_factor = trial.step_factor;
         print("a trial on {} chose the step factor\n", backend.name());
@@ -308,9 +340,8 @@ int render_program(const Registry& registry, const char* program, const char* fr
     if (!options.stats.empty()) OutputFile::check(options.stats);
     check_memory(drawing, format, OutputFile::is_stream(output));
 
-    const Backend& backend = chosen_backend(registry, options.backend, true, options.renderer);
+    const Backend& backend = drawing_backend(registry, options);
     const auto renderer = backend.create(options.renderer);
-    refuse_unheeded(registry, backend, options.renderer);
     ProgressBar bar(program);
     const auto [image, report] =
         draw(*renderer, drawing, options.eyes, layers_of(format), [&bar](double share) { bar.show(share); });

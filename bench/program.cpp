@@ -20,7 +20,7 @@ struct Command {
 constexpr Command commands[] = {
     {"compare", "compare two result files, OLD.json NEW.json; exit code 1 on a regression", compare_command},
     {"csv", "print a stored result, FILE.json, as --csv does", csv_command},
-    {"json", "print a stored result, FILE.json, in the current format, with all figures recomputed", json_command},
+    {"json", "print a stored file, FILE.json, with all figures that follow from what it holds", json_command},
     {"schema", "print the JSON Schema of a kind of file: result, random, ...", schema_command},
     {"peak", "measure the peak rate of multiply-adds of every device", peak_command},
     {"portability", "compute Pennycook's performance portability over result files: FILES...", portability_command},

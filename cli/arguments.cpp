@@ -8,58 +8,19 @@
 namespace mandelmarch {
 namespace {
 
-// Old names of options, which stay valid for one release.
-struct OldOption {
-    std::string_view old_name, new_name;
-};
-constexpr OldOption old_options[] = {{"--launch", "--run"}, {"--launches", "--runs"}, {"--pack", "--simd-width"}};
-
-struct OldValue {
-    std::string_view option, old_name, new_name;
-};
-constexpr OldValue old_values[] = {
-    {"--estimate", "counted", "original"}, {"--study", "blocks", "block-sizes"},
-    {"--study", "packs", "simd-widths"},   {"--without", "normal", "gradient"},
-    {"--without", "root", "refinement"},   {"--without", "surroundings", "shared-occlusion"}};
-
-std::string with_new_option(const std::string& name)
+// Throws InputError if a word is empty, as that of a shell variable without a value is.
+void refuse_empty_words(const std::string& program, int argc, char** argv)
 {
-    const auto* const found = std::ranges::find(old_options, name, &OldOption::old_name);
-    return found == std::end(old_options) ? name : std::string(found->new_name);
-}
-
-// `value`: one name, or several with commas between them.
-std::string with_new_values(const std::string& option, const std::string& value)
-{
-    std::string made;
-    for (std::size_t at = 0; at <= value.size();) {
-        const auto comma = std::min(value.find(',', at), value.size());
-        std::string name = value.substr(at, comma - at);
-        for (const OldValue& old : old_values) {
-            if (option == old.option && name == old.old_name) name = old.new_name;
-        }
-        made += (at == 0 ? "" : ",") + name;
-        at = comma + 1;
-    }
-    return made;
-}
-
-// Returns the arguments with old names replaced by new ones.
-std::vector<std::string> with_new_names(int argc, char** argv)
-{
-    std::vector<std::string> words;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        const auto equals = word.starts_with("--") ? word.find('=') : std::string::npos;
-        if (equals != std::string::npos) {
-            const std::string option = with_new_option(word.substr(0, equals));
-            words.push_back(option + "=" + with_new_values(option, word.substr(equals + 1)));
-        } else {
-            words.push_back(words.empty() ? with_new_option(word)
-                                          : with_new_values(words.back(), with_new_option(word)));
+        const std::string before = argv[i - 1];
+        if (word.starts_with("--") && word.ends_with('=')) {
+            throw InputError(fmt::format("{}: '{}' given, expected a value behind =", program, word));
         }
+        if (!word.empty()) continue;
+        throw InputError(fmt::format("{}: {}: '' given, expected a value", program,
+                                     before.starts_with('-') ? before : fmt::format("argument {}", i)));
     }
-    return words;
 }
 
 }  // namespace
@@ -67,16 +28,32 @@ std::vector<std::string> with_new_names(int argc, char** argv)
 std::optional<int> parse_arguments(CLI::App& app, const std::string& program, int argc, char** argv)
 {
     app.name(program);  // for the line "Usage" of the help text
-    std::vector<std::string> words = with_new_names(argc, argv);
-    std::ranges::reverse(words);  // CLI11 parses a vector from its end
+    refuse_empty_words(program, argc, argv);
     try {
-        app.parse(std::move(words));
+        app.parse(argc, argv);
     } catch (const CLI::Success& answer) {  // --help, --version
         return app.exit(answer);
     } catch (const CLI::ParseError& error) {
-        throw InputError(fmt::format("{}: {} (--help lists the options)", program, error.what()));
+        const auto commands = app.get_subcommands();
+        const std::string command = commands.empty() ? program : program + " " + commands.front()->get_name();
+        std::string what = error.what();
+        // An unknown option is named rather than the words behind it, which CLI11 does not take for its value.
+        if (const std::vector<std::string> unknown = app.remaining(true); !unknown.empty()) {
+            const auto option = std::ranges::find_if(unknown, [](auto& word) { return word.starts_with('-'); });
+            what = "not expected: " + (option != unknown.end() ? *option : unknown.front());
+        }
+        throw InputError(fmt::format("{}: {} ({} --help lists the options)", command, what, command));
     }
     return std::nullopt;
+}
+
+void refuse_others(const CLI::App& app, const std::string& mode, const std::vector<std::string>& taken)
+{
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() == 0 || name == "--no-isolation" || std::ranges::find(taken, name) != taken.end()) continue;
+        throw InputError(fmt::format("{}: not expected with {}", name, mode));
+    }
 }
 
 }  // namespace mandelmarch

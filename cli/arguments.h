@@ -11,10 +11,13 @@
 
 namespace mandelmarch {
 
-// Parses the arguments, which may contain old names of options and values. After --help or --version, returns the exit
-// code with which the program should end; otherwise nullopt. Throws InputError if an argument is invalid; the message
-// begins with `program`.
+// Parses the arguments. After --help or --version, returns the exit code with which the program should end; otherwise
+// nullopt. Throws InputError if an argument is invalid or empty; the message begins with `program` and its command.
 std::optional<int> parse_arguments(CLI::App& app, const std::string& program, int argc, char** argv);
+
+// Throws InputError if an option was given that is not one of `taken`. `mode`: the option that selects what the program
+// does.
+void refuse_others(const CLI::App& app, const std::string& mode, const std::vector<std::string>& taken);
 
 // Adds an option that sets `value` to one of the named values. Its default is the current value.
 template <class Value>

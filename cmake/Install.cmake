@@ -14,6 +14,16 @@ install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES paramsBulb.dat paramsBox.dat paramsJulia.dat DESTINATION ${CMAKE_INSTALL_DATADIR}/mandelmarch)
 install(DIRECTORY looks DESTINATION ${CMAKE_INSTALL_DATADIR}/mandelmarch)
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The schemas of bench's files, as `bench schema KIND` prints them.
+if(TARGET bench AND NOT CMAKE_CROSSCOMPILING)
+    foreach(kind result duel race random equivalence portability)
+        set(schema ${CMAKE_CURRENT_BINARY_DIR}/schemas/${kind}.schema.json)
+        install(CODE "
+            execute_process(COMMAND \"$<TARGET_FILE:bench>\" schema ${kind} OUTPUT_FILE \"${schema}\" COMMAND_ERROR_IS_FATAL ANY)")
+        install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/mandelmarch/schemas)
+    endforeach()
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/schemas)
+endif()
 # Manual pages are made from the help texts, if help2man is installed. A help text begins with "PROGRAM: ", and a
 # description of the program.
 find_program(help2man help2man)

@@ -3,15 +3,17 @@
 """flight_study.py PROGRAMS FOLDER [--seeds N]: plans a full film for each seed and fractal with
 PROGRAMS/flythrough. Writes FOLDER/flight_seeds.txt, a table of all audit items with their thresholds, and the audit and
 map of seed 1.
-Exit codes: 0 success, 1 a promise (a hard limit of the audit) is broken or a program fails."""
+Exit codes: 0 success, 1 a promise (a hard limit of the audit) is broken, 2 a program fails."""
 import argparse
-import json
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
 import time
+from pathlib import Path
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report"))
+from mandelreport.errors import InputError, read_json, run_program, write_whole
 
 
 def plan(program, fractal, seed, scratch, extra):
@@ -22,9 +24,8 @@ def plan(program, fractal, seed, scratch, extra):
                            audit, *extra], capture_output=True, text=True, check=False)
     seconds = time.monotonic() - start
     if done.returncode not in (0, 1) or not os.path.exists(audit):
-        sys.exit(f"flight_study: {fractal}, seed {seed}: {done.stderr.strip()}")
-    with open(audit, encoding="utf-8") as file:
-        return json.load(file), seconds
+        raise InputError(f"{fractal}, seed {seed}: {done.stderr.strip()}")
+    return read_json(Path(audit), "an audit"), seconds
 
 
 def number(value):
@@ -59,14 +60,11 @@ def study_seeds(program, folder, seeds):
                 map_file = os.path.join(scratch, "map.json")
                 audits.append(plan(program, fractal, seed, scratch, ["--map", map_file] if seed == 1 else []))
                 if seed == 1:
-                    shutil.move(os.path.join(scratch, "audit.json"), os.path.join(folder, f"flight_{short}.json"))
-                    shutil.move(map_file, os.path.join(folder, f"map_{short}.json"))
+                    write_whole(Path(folder, f"flight_{short}.json"), Path(scratch, "audit.json").read_bytes())
+                    write_whole(Path(folder, f"map_{short}.json"), Path(map_file).read_bytes())
         kept = kept and all(audit["promises_kept"] for audit, _ in audits)
         text.append(table(fractal, audits))
-    table_file = os.path.join(folder, "flight_seeds.txt")
-    with open(table_file + ".part", "w", encoding="utf-8") as file:
-        file.write("\n".join(text))
-    os.replace(table_file + ".part", table_file)
+    write_whole(Path(folder, "flight_seeds.txt"), "\n".join(text).encode())
     return kept
 
 
@@ -81,4 +79,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_program("flight_study", main)

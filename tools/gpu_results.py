@@ -10,6 +10,7 @@ import json
 import math
 import os
 import re
+import statistics
 import sys
 import tarfile
 import tempfile
@@ -71,9 +72,9 @@ def rows_of(files):
     for name in sorted(name for name in files if re.fullmatch(r"t-[^/]*\.json", name)):
         with reading(name, EXPECTED):
             for row in json.loads(files[name])["rows"]:
-                if not row["figures"] or not row["verification"]["passed"]:
+                if not row["samples"] or not row["verification"]["passed"]:
                     continue
-                milliseconds = 1000 * float(row["figures"]["kernel_seconds"]["median"])
+                milliseconds = 1000 * statistics.median(float(sample["kernel"]) for sample in row["samples"])
                 if not math.isfinite(milliseconds):
                     raise ValueError("a time is not finite")
                 kind = one_line(" ".join([row["fractal"], row["precision"], row["mode"]]))

@@ -91,6 +91,9 @@ int body(int argc, char** argv)
     std::optional<int> done;
     const Options options = parse_options(registry, argc, argv, done);
     if (done) return *done;
+    if (!options.fractal.empty() && options.file.ends_with(".json")) {
+        throw InputError(fmt::format("--fractal: not expected with {}, which names its fractal", options.file));
+    }
     const Fractal& fractal = options.fractal.empty() ? fractals().front() : fractal_named(options.fractal);
     const Script script = options.script.empty() ? Script() : read_script(options.script);
     if (!options.folder.empty() && !std::filesystem::is_directory(options.folder)) {

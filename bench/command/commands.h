@@ -17,6 +17,9 @@ using Run = std::function<int()>;
 // `arguments`: bench's command line. The command lines of further runs are made from it.
 Run measure_command(CLI::App& app, Registry& registry, const std::vector<std::string>& arguments);
 
+// Declares a command that prints a text about one stored file.
+Run with_file(CLI::App& app, std::string (*text)(const std::string& path));
+
 Run compare_command(CLI::App& app, Registry& registry);
 Run csv_command(CLI::App& app, Registry& registry);
 Run json_command(CLI::App& app, Registry& registry);

@@ -67,7 +67,7 @@ void add_options(CLI::App& app, Registry& registry, Measurement& m)
                  "move the eye in each round, so that a picture kept from an earlier run is noticed (default with "
                  "program:PROGRAM, unless the program is ours)");
     m.outputs.option(app, "--json", "write all results and samples as JSON to this file (-: standard output)",
-                     [&] { return text_of(json_of(m.result)); });
+                     [&] { return text_of(facts_of(m.result)); });
     m.outputs.option(app, "--csv", "write one line per configuration to this file (-: standard output)",
                      [&] { return to_csv(m.result); });
     app.add_flag("--list", m.list, "list configurations and studies; measure nothing");

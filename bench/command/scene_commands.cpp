@@ -70,7 +70,7 @@ Run random_command(CLI::App& app, Registry& registry)
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->capture_default_str();
     state->outputs.option(app, "--json", "write the results of all scenes as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
+                          [s = state.get()] { return text_of(facts_of(s->found)); });
     return [state, &registry] {
         return state->outputs.deliver({}, [&]() -> Outputs::Done {
             Display display;
@@ -94,7 +94,7 @@ Run equivalence_command(CLI::App& app, Registry& registry)
     app.add_option("--seed", o.seed, "seed for the scenes")->check(whole(0, 1'000'000'000))->capture_default_str();
     app.add_option("--folder", *folder, "folder for the parameter files of scenes whose pictures differ");
     state->outputs.option(app, "--json", "write all results as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
+                          [s = state.get()] { return text_of(facts_of(s->found)); });
     return [state, folder, &registry] {
         return state->outputs.deliver({}, [&]() -> Outputs::Done {
             Display display;

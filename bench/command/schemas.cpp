@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The published JSON Schemas of the files that bench writes, generated from the descriptions of their records
-// (bench/files/fields.h). bench/schemas has copies.
+// The kinds of files that bench writes: their JSON Schemas and their derived figures, both from the descriptions of
+// their records (bench/files/fields.h).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +9,7 @@
 
 #include "bench/command/commands.h"
 #include "bench/files/result_fields.h"
+#include "bench/files/result_file.h"
 #include "bench/scenes/scene_fields.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
@@ -29,20 +30,10 @@ Json nullable(Json schema)
     return {{"oneOf", {{{"type", "null"}}, schema}}};
 }
 
-Json object_schema(Json properties)
-{
-    Json required = Json::array();
-    for (const auto& [key, schema] : properties.items()) required.push_back(key);
-    return {{"type", "object"},
-            {"additionalProperties", false},
-            {"required", std::move(required)},
-            {"properties", std::move(properties)}};
-}
-
 template <class Record>
 Json record_schema(Json& definitions)
 {
-    Json properties = Json::object();
+    Json properties = Json::object(), required = Json::array();
     each_field<Record>([&](const auto& field) {
         using T = Value<Record, decltype(field.member)>;
         Json& schema = properties[field.key];
@@ -53,8 +44,11 @@ Json record_schema(Json& definitions)
             schema = schema_of<T>(field.rule, definitions);
         }
         if (*field.rule.about != '\0') properties[field.key]["description"] = field.rule.about;
+        if (field.rule.required) required.push_back(field.key);
     });
-    return object_schema(std::move(properties));
+    Json schema{{"type", "object"}, {"properties", std::move(properties)}};
+    if (!required.empty()) schema["required"] = std::move(required);
+    return schema;
 }
 
 // Limits of at least this size are left out of the schemas, because they only serve to detect damaged files.
@@ -89,7 +83,7 @@ Json schema_of(const Rule& rule, Json& definitions)
     } else if constexpr (std::is_same_v<T, Interval>) {
         return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
     } else if constexpr (std::is_same_v<T, Json>) {
-        return {{"$ref", "https://mandelmarch.invalid/bench/schemas/environment.schema.json"}};
+        return {{"type", "object"}};
     } else if constexpr (Map<T>) {
         return {{"type", "object"}, {"additionalProperties", schema_of<typename T::mapped_type>(rule, definitions)}};
     } else if constexpr (Keyed<T>) {
@@ -97,7 +91,7 @@ Json schema_of(const Rule& rule, Json& definitions)
         for (const char* key : keys_of<T>) {
             properties[key] = schema_of<typename T::value_type>(rule, definitions);
         }
-        return object_schema(std::move(properties));
+        return {{"type", "object"}, {"properties", std::move(properties)}};
     } else if constexpr (Optional<T>) {
         return nullable(schema_of<typename T::value_type>(rule, definitions));
     } else if constexpr (List<T>) {
@@ -114,67 +108,74 @@ Json schema_of(const Rule& rule, Json& definitions)
 
 struct Kind {
     const char* name;
-    const char* schema;  // the value of "schema" in a file of this kind; nullptr: the file is a list without "schema"
-    int version;
+    Format format;  // without a name: the file is a list without "schema"
     const char* title;
     const char* about;
-    Json (*content)(Json& definitions);  // returns the schema of the record or list
+    Json (*content)(Json& definitions);                          // returns the schema of the record or list
+    Json (*derived)(const Json& json, const std::string& name);  // see derived_json()
 };
 
-template <class Record>
-Json properties_of(Json& definitions)
+// Returns the kind of the files with this record. figures(record): returns the record with its derived figures.
+template <class Record, class Figures>
+constexpr Kind kind_of(const char* name, const char* title, const char* about, Figures /*figures*/)
 {
-    return record_schema<Record>(definitions);
-}
-
-// Returns the schema of a result's fields, including `portability` and `winners`, which are computed from several rows.
-Json result_properties(Json& definitions)
-{
-    Json schema = record_schema<Result>(definitions);
-    schema["properties"]["portability"] = schema_of<std::vector<Portability>>({}, definitions);
-    schema["required"].push_back("portability");
-    schema["properties"]["winners"] = schema_of<std::vector<Contest>>({}, definitions);
-    schema["properties"]["winners"]["description"] =
-        "Only in results of a standard study; missing in those of older builds.";
-    return schema;
+    return {
+        name, format_of<Record>, title, about, record_schema<Record>, [](const Json& json, const std::string& file) {
+            return document(Figures()(record_of<Record>(json, file, [](const Record&) {})), Form::derived);
+        }};
 }
 
 constexpr Kind kinds[] = {
-    {"portability", nullptr, 0, "Performance portability",
-     "Written by `bench portability --json`: the same list as `portability` in a result.",
-     [](Json& definitions) { return schema_of<std::vector<Portability>>({}, definitions); }},
-    {"result", result_schema, schema_version, "A result of bench",
+    {"result", format_of<Result>, "A result of bench",
      "Times are in seconds, rates per second. An operation is an addition, subtraction, multiplication, division or "
      "square root in one lane. docs/bench-output.md explains every quantity.",
-     result_properties},
-    {"random", "mandelmarch-bench-random", 1, "Fast pictures of random scenes",
-     "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 from the canonical "
-     "picture.",
-     properties_of<RandomResult>},
-    {"equivalence", "mandelmarch-bench-equivalence", 2, "An equivalence test", "Written by `bench equivalence --json`.",
-     properties_of<EquivalenceResult>},
+     record_schema<Result>,
+     [](const Json& json, const std::string& file) { return json_of(result_from_json(json, file)); }},
+    kind_of<RandomResult>("random", "Fast pictures of random scenes",
+                          "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 "
+                          "from the canonical picture.",
+                          [](RandomResult result) { return summed(std::move(result)); }),
+    {"equivalence", format_of<EquivalenceResult>, "An equivalence test", "Written by `bench equivalence --json`.",
+     record_schema<EquivalenceResult>, [](const Json& json, const std::string& /*file*/) { return json; }},
+    {"portability",
+     {},
+     "Performance portability",
+     "Written by `bench portability --json`: the same list as `portability` in a result.",
+     [](Json& definitions) { return schema_of<std::vector<Portability>>({}, definitions); },
+     nullptr},
 };
 
 Json schema_json(const Kind& kind)
 {
-    const bool is_list = kind.schema == nullptr;
+    const bool is_list = kind.format.schema == nullptr;
     Json definitions = Json::object();
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                {"$id", fmt::format("https://mandelmarch.invalid/bench/schemas/{}.schema.json", kind.name)},
-                {"title", is_list ? kind.title : fmt::format("{}, version {}", kind.title, kind.version)},
-                {"description", kind.about}};
+                {"title", is_list ? kind.title : fmt::format("{}, version {}", kind.title, kind.format.version)},
+                {"description", fmt::format("{}{}", kind.about,
+                                            is_list ? ""
+                                                    : " A file holds facts; `bench json FILE` "
+                                                      "prints all properties.")}};
     Json content = kind.content(definitions);
     if (!is_list) {
-        Json properties{{"schema", {{"const", kind.schema}}}, {"version", {{"const", kind.version}}}};
-        properties.update(content["properties"]);
-        Json required = {"schema", "version"};
-        for (const Json& key : content["required"]) required.push_back(key);
-        content["properties"] = std::move(properties);
-        content["required"] = std::move(required);
+        content["properties"]["schema"] = {{"const", kind.format.schema}};
+        content["properties"]["version"] = {{"const", kind.format.version}};
+        content["required"].push_back("schema");
+        content["required"].push_back("version");
     }
     schema.update(content);
     schema["$defs"] = std::move(definitions);
     return schema;
+}
+
+// Returns the contents of a file with all figures that follow from its facts.
+Json derived_json(const std::string& path)
+{
+    const Json json = json_in(path);
+    const std::string schema = schema_in(json);
+    const auto* const kind = std::ranges::find_if(
+        kinds, [&](const Kind& one) { return one.format.schema != nullptr && one.format.schema == schema; });
+    if (kind == std::end(kinds)) throw InputError(path + ": not a file of bench, expected a result of --json");
+    return kind->derived(json, path);
 }
 
 // Formats a schema with one line for each property.
@@ -204,8 +205,13 @@ Run schema_command(CLI::App& app, Registry& /*registry*/)
     };
 }
 
-Json json_of(const RandomResult& result) { return document("mandelmarch-bench-random", 1, result); }
+Run json_command(CLI::App& app, Registry& /*registry*/)
+{
+    return with_file(app, [](const std::string& path) { return text_of(derived_json(path)); });
+}
 
-Json json_of(const EquivalenceResult& result) { return document("mandelmarch-bench-equivalence", 2, result); }
+Json facts_of(const RandomResult& result) { return document(result, Form::facts); }
+
+Json facts_of(const EquivalenceResult& result) { return document(result, Form::facts); }
 
 }  // namespace mandelmarch::bench

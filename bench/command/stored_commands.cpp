@@ -20,17 +20,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Declares a command that prints a text about one stored result.
-Run with_file(CLI::App& app, std::string (*text)(const std::string& path))
-{
-    const auto path = std::make_shared<std::string>();
-    app.add_option("FILE", *path, "result file written by --json")->required();
-    return [path, text]() -> int {
-        print(std::string_view(text(*path)));
-        return exit_success;
-    };
-}
-
 std::vector<Result> results_in(const std::vector<std::string>& files)
 {
     std::vector<Result> results;
@@ -55,14 +44,19 @@ std::vector<Result> results_in(const std::vector<std::string>& files)
 
 }  // namespace
 
+Run with_file(CLI::App& app, std::string (*text)(const std::string& path))
+{
+    const auto path = std::make_shared<std::string>();
+    app.add_option("FILE", *path, "result file written by --json")->required();
+    return [path, text]() -> int {
+        print(std::string_view(text(*path)));
+        return exit_success;
+    };
+}
+
 Run csv_command(CLI::App& app, Registry& /*registry*/)
 {
     return with_file(app, [](const std::string& path) { return to_csv(read_result(path)); });
-}
-
-Run json_command(CLI::App& app, Registry& /*registry*/)
-{
-    return with_file(app, [](const std::string& path) { return text_of(upgraded_json(path)); });
 }
 
 Run compare_command(CLI::App& app, Registry& /*registry*/)

@@ -31,7 +31,7 @@ struct Count {
     // neighbours and form a square, or a rectangle with twice as many columns as rows.
     std::vector<LaneUse> lane_use;
     std::uint64_t march_estimates = 0, march_iterations = 0;  // DE evaluations and DE iterations of the march alone
-    std::optional<CountErrors> errors;                        // nullopt in results of older builds
+    std::optional<CountErrors> errors;                        // nullopt: unknown
 
     Operations all() const { return std::accumulate(stages.begin(), stages.end(), Operations{}); }
     // Returns all operations / all DE iterations; 0 if there are no iterations.

@@ -22,11 +22,10 @@ struct LaneUse {
     int lanes = 0;
     ActiveLanes together;  // without refill: the pixels of a vector march together until the last of them is done
     // With refill: as soon as a lane's ray has ended, the lane takes the next pixel of the patch (persistent threads;
-    // Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). nullopt in results of older
-    // builds.
+    // Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). nullopt: unknown.
     std::optional<ActiveLanes> refilled;
     // Standard errors of `together` and `refilled`, which come from a sample of patches; 0 if every pixel was counted.
-    // nullopt in results of older builds.
+    // nullopt: unknown.
     std::optional<ActiveLanes> together_error{}, refilled_error{};
 };
 

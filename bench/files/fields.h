@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes a record once, as a list of its fields. The JSON writer and reader, the columns of the CSV and the
-// published JSON Schema are derived from this list. To describe a record, specialise fields_of, as in
-// bench/files/result_fields.h.
+// Describes a record once, as a list of its fields. The JSON writer and reader, the columns of the CSV and the JSON
+// Schema are derived from this list. To describe a record, specialise fields_of, as in bench/files/result_fields.h.
+//
+// A file holds facts alone. What follows from them is a derived field: it is printed, but neither stored nor read. The
+// reader ignores keys that it does not know. If a file lacks a key, or has null, the member keeps its default, which
+// means unknown; only what names a value and the times themselves are required.
 //
 // A field's value may be a bool, a number, a text, an enumeration (values_of), an Interval, JSON, a described record, a
 // std::optional or std::vector of these, or a std::array with a name for each element (keys_of). A std::map whose keys
@@ -29,7 +32,7 @@ namespace mandelmarch::bench {
 
 using Json = nlohmann::ordered_json;
 
-// The value that a field stores as null: an empty text, 0 or infinity. `none`: it stores no value as null.
+// The value that is printed as null: an empty text, 0 or infinity. `none`: no value is.
 enum class Null { none, empty, zero, infinite };
 
 // The largest integer up to which JSON readers, which may use doubles, represent every integer exactly.
@@ -39,10 +42,11 @@ struct Rule {
     double min = 0, max = max_integer;  // limits of a number
     Null null = Null::none;
     bool timed = false;      // the field's CSV cells are empty for a configuration without a speed
+    bool required = false;   // a file that lacks the value is damaged
     const char* about = "";  // description in the schema
 };
 
-// `stored`: false for a derived value, which is written but not read.
+// `stored`: false for a derived value.
 template <class Member, bool stored>
 struct Field {
     const char* key;
@@ -98,16 +102,6 @@ template <class T>
 concept Keyed = !std::is_null_pointer_v<decltype(keys_of<T>)>;
 
 template <class T>
-struct Element;  // ::type is the type of the elements of a std::optional or std::vector
-template <class T>
-struct Element<std::optional<T>> {
-    using type = T;
-};
-template <class T>
-struct Element<std::vector<T>> {
-    using type = T;
-};
-template <class T>
 concept Map = requires
 {
     typename T::mapped_type;
@@ -118,7 +112,7 @@ concept Optional = requires(const T& value)
     value.has_value();
 };
 template <class T>
-concept List = std::is_same_v<T, std::vector<typename Element<T>::type>>;
+concept List = std::is_same_v<T, std::vector<typename T::value_type>>;
 
 // Calls each(field) for the fields of a record, in their order.
 template <class Record, class Each>
@@ -130,37 +124,36 @@ void each_field(const Each& each)
 template <class Record, class Member>
 using Value = std::remove_cvref_t<std::invoke_result_t<Member, const Record&>>;
 
+// The forms of a record in JSON: as a file holds it, or with all derived fields.
+enum class Form { facts, derived };
+
 // Returns the value as JSON.
 template <class T>
-Json to_json(const T& value, const Rule& rule = {});
-
-// A std::optional<Quotient> is stored as two members: KEY with the ratio, and KEY_interval.
-inline Json interval_of(const std::optional<Quotient>& quotient)
-{
-    return quotient ? to_json(quotient->interval) : Json();
-}
+Json to_json(const T& value, Form form, const Rule& rule = {});
 
 template <class Record>
-Json record_to_json(const Record& record)
+Json record_to_json(const Record& record, Form form)
 {
     Json json = Json::object();
-    each_field<Record>([&](const auto& field) {
+    each_field<Record>([&]<class Member, bool stored>(const Field<Member, stored>& field) {
+        if (!stored && form == Form::facts) return;
         const auto& value = std::invoke(field.member, record);
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, std::optional<Quotient>>) {
+            // Two members: KEY with the ratio, and KEY_interval.
             json[field.key] = value ? Json(value->ratio) : Json();
-            json[std::string(field.key) + "_interval"] = interval_of(value);
+            json[std::string(field.key) + "_interval"] = value ? to_json(value->interval, form) : Json();
         } else {
-            json[field.key] = to_json(value, field.rule);
+            json[field.key] = to_json(value, form, field.rule);
         }
     });
     return json;
 }
 
 template <class T>
-Json to_json(const T& value, const Rule& rule)
+Json to_json(const T& value, Form form, const Rule& rule)
 {
     if constexpr (Described<T>) {
-        return record_to_json(value);
+        return record_to_json(value, form);
     } else if constexpr (Named<T>) {
         return Json(name_of(value));
     } else if constexpr (std::is_same_v<T, Interval>) {
@@ -168,18 +161,18 @@ Json to_json(const T& value, const Rule& rule)
     } else if constexpr (std::is_same_v<T, Json>) {
         return value;
     } else if constexpr (Optional<T>) {
-        return value ? to_json(*value, rule) : Json();
+        return value ? to_json(*value, form, rule) : Json();
     } else if constexpr (Map<T>) {
         Json json = Json::object();
-        for (const auto& [key, element] : value) json[key] = to_json(element, rule);
+        for (const auto& [key, element] : value) json[key] = to_json(element, form, rule);
         return json;
     } else if constexpr (Keyed<T>) {
         Json json = Json::object();
-        for (std::size_t i = 0; i < value.size(); ++i) json[keys_of<T>[i]] = to_json(value[i], rule);
+        for (std::size_t i = 0; i < value.size(); ++i) json[keys_of<T>[i]] = to_json(value[i], form, rule);
         return json;
     } else if constexpr (List<T>) {
         Json list = Json::array();
-        for (const auto& element : value) list.push_back(to_json(element, rule));
+        for (const auto& element : value) list.push_back(to_json(element, form, rule));
         return list;
     } else if constexpr (std::is_same_v<T, std::string>) {
         return rule.null == Null::empty && value.empty() ? Json() : Json(value);
@@ -192,15 +185,6 @@ Json to_json(const T& value, const Rule& rule)
     }
 }
 
-// Returns the contents of a file: the name and version of its format, then the record's fields.
-template <class Record>
-Json document(const char* schema, int version, const Record& record)
-{
-    Json json{{"schema", schema}, {"version", version}};
-    json.update(to_json(record));
-    return json;
-}
-
 // The reason why a value cannot be read, and the value's place in the file: "rows[3].setting.width".
 struct Refusal {
     std::string place, why;
@@ -211,7 +195,7 @@ struct Refusal {
     throw Refusal{"", fmt::format("{} given, expected {}", printable(json.dump(), 80), expected)};
 }
 
-// Reads a value that to_json() wrote. Throws Refusal if the JSON does not hold a valid value.
+// Reads a value of a file. Throws Refusal if the JSON does not hold a valid value.
 template <class T>
 void from_json(const Json& json, T& value, const Rule& rule = {});
 
@@ -228,18 +212,24 @@ void at_place(const std::string& place, const Read& read)
     }
 }
 
+// Reads a member of an object. If it is missing or null, the value stays as it is; infinite, if null means that.
 template <class T>
 void member_from_json(const Json& json, const char* key, T& value, const Rule& rule)
 {
-    if (!json.is_object()) throw Refusal{"", fmt::format("{} in the place of an object", json.type_name())};
     const auto found = json.find(key);
-    if (found == json.end()) throw Refusal{"", fmt::format("'{}' is missing", key)};
-    at_place(key, [&] { from_json(*found, value, rule); });
+    if (found != json.end() && !found->is_null()) {
+        at_place(key, [&] { from_json(*found, value, rule); });
+    } else if (rule.required) {
+        throw Refusal{"", fmt::format("'{}' is missing", key)};
+    } else if constexpr (std::is_floating_point_v<T>) {
+        if (rule.null == Null::infinite) value = std::numeric_limits<T>::infinity();
+    }
 }
 
 template <class Record>
 void record_from_json(const Json& json, Record& record)
 {
+    if (!json.is_object()) refuse(json, "an object");
     each_field<Record>([&]<class Member, bool stored>(const Field<Member, stored>& field) {
         if constexpr (stored) member_from_json(json, field.key, record.*field.member, field.rule);
     });
@@ -285,8 +275,9 @@ void from_json(const Json& json, T& value, const Rule& rule)
         if (!json.is_object()) refuse(json, "an object");
         value = json;
     } else if constexpr (Optional<T>) {
-        if (!json.is_null()) from_json(json, value.emplace(), rule);
+        from_json(json, value.emplace(), rule);
     } else if constexpr (Keyed<T>) {
+        if (!json.is_object()) refuse(json, "an object");
         for (std::size_t i = 0; i < value.size(); ++i) member_from_json(json, keys_of<T>[i], value[i], rule);
     } else if constexpr (List<T>) {
         if (!json.is_array()) refuse(json, "a list");
@@ -294,16 +285,13 @@ void from_json(const Json& json, T& value, const Rule& rule)
             at_place(fmt::format("[{}]", i), [&] { from_json(json[i], value.emplace_back(), rule); });
         }
     } else if constexpr (std::is_same_v<T, std::string>) {
-        if (rule.null == Null::empty && json.is_null()) return;
         if (!json.is_string()) refuse(json, "a text");
         value = json.get<std::string>();
     } else if constexpr (std::is_same_v<T, bool>) {
         if (!json.is_boolean()) refuse(json, "true or false");
         value = json.get<bool>();
-    } else if (rule.null == Null::none || !json.is_null()) {
+    } else {
         number_from_json(json, value, rule);
-    } else if constexpr (std::is_floating_point_v<T>) {
-        value = rule.null == Null::infinite ? std::numeric_limits<T>::infinity() : 0;
     }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of a result file (docs/bench-output.md). To add a figure, add a line here.
+// The fields of a result (docs/bench-output.md). To add a column, add a member to the record and a line here.
 #pragma once
 
 #include <string>
 
+#include "bench/files/document.h"
 #include "bench/files/fields.h"
 #include "bench/files/rules.h"
 #include "bench/judge/portability.h"
@@ -74,10 +75,10 @@ inline constexpr auto fields_of<Verification> =
 template <>
 inline constexpr auto fields_of<Sample> =
     Description{"sample",
-                field("run", &Sample::run),
-                field("round", &Sample::round, "", {.about = "Index in the run."}),
-                field("kernel", &Sample::kernel, "", rules::seconds),
-                field("wall", &Sample::wall, "", rules::seconds),
+                field("run", &Sample::run, "", rules::required),
+                field("round", &Sample::round, "", {.required = true, .about = "Index in the run."}),
+                field("kernel", &Sample::kernel, "", rules::required_seconds),
+                field("wall", &Sample::wall, "", rules::required_seconds),
                 field("upload", &Sample::upload, "", rules::seconds),
                 field("readback", &Sample::readback, "", rules::seconds),
                 field("host", &Sample::host, "", rules::seconds)};
@@ -113,15 +114,15 @@ template <>
 inline constexpr auto fields_of<Row> = Description{
     "row",
     derived_field("name", &Row::name, "name"),
-    field("fractal", &Row::fractal, "fractal"),
-    field("precision", &Row::precision, "precision"),
-    field("mode", &Row::mode, "mode"),
-    field("backend", &Row::backend),
+    field("fractal", &Row::fractal, "fractal", rules::required),
+    field("precision", &Row::precision, "precision", rules::required),
+    field("mode", &Row::mode, "mode", rules::required),
+    field("backend", &Row::backend, "", rules::required),
     derived_field(
         "application", &Row::application, "backend",
         {.about = "Name under which rows are compared: the backend, or BACKEND-scalar for the scalar kernel in "
                   "the studies standard and demo."}),
-    field("device", &Row::device, "device"),
+    field("device", &Row::device, "device", rules::required),
     field("sweep_value", &Row::sweep_value, "sweep_value", {.about = "NAME=VALUE in a sweep, else empty."}),
     field("setting", &Row::setting),
     field("unavailable", &Row::unavailable, "unavailable", rules::text_or_null),
@@ -149,16 +150,16 @@ inline constexpr auto fields_of<Row> = Description{
     field("work", &Row::work),
     field("operations", &Row::operations, "operations", rules::rate),
     field("operations_standard_error", &Row::operations_error, "operations_standard_error",
-          rules::about(rules::rate, "0 if all pixels were counted; null in results of older builds.")),
-    field("samples", &Row::samples, "samples"),
+          rules::about(rules::rate, "0 if all pixels were counted; null: unknown.")),
+    field("samples", &Row::samples, "samples", rules::required),
     derived_field("figures", &Row::figures)};
 
 template <>
 inline constexpr auto fields_of<Peak> = Description{"peak",
-                                                    field("platform", &Peak::platform),
+                                                    field("platform", &Peak::platform, "", rules::required),
                                                     field("backend", &Peak::backend),
                                                     field("device", &Peak::device),
-                                                    field("precision", &Peak::precision),
+                                                    field("precision", &Peak::precision, "", rules::required),
                                                     field("operations_per_second", &Peak::rate, "", rules::rate)};
 
 template <>
@@ -167,13 +168,12 @@ inline constexpr auto fields_of<ActiveLanes> =
                 field("in_iterations", &ActiveLanes::in_iterations, "", rules::fraction)};
 
 template <>
-inline constexpr auto fields_of<LaneUse> = Description{
-    "lane_use",
-    field("lanes", &LaneUse::lanes),
-    field("together", &LaneUse::together),
-    field("refilled", &LaneUse::refilled, "", {.about = "null in results of older builds."}),
-    field("together_standard_error", &LaneUse::together_error, "", {.about = "null in results of older builds."}),
-    field("refilled_standard_error", &LaneUse::refilled_error, "", {.about = "null in results of older builds."})};
+inline constexpr auto fields_of<LaneUse> = Description{"lane_use",
+                                                       field("lanes", &LaneUse::lanes),
+                                                       field("together", &LaneUse::together, "", rules::required),
+                                                       field("refilled", &LaneUse::refilled),
+                                                       field("together_standard_error", &LaneUse::together_error),
+                                                       field("refilled_standard_error", &LaneUse::refilled_error)};
 
 template <>
 inline constexpr auto fields_of<CountErrors> =
@@ -181,26 +181,25 @@ inline constexpr auto fields_of<CountErrors> =
                 field("march_iterations_per_de_call", &CountErrors::per_estimate, "", rules::rate)};
 
 template <>
-inline constexpr auto fields_of<Count> = Description{
-    "count",
-    field("pixels", &Count::pixels),
-    field("hits", &Count::hits),
-    field("work", &Count::work),
-    field("stages", &Count::stages),
-    derived_field("operations_per_iteration", &Count::per_iteration),
-    field("march_de_calls", &Count::march_estimates),
-    field("march_iterations", &Count::march_iterations),
-    field("lane_use", &Count::lane_use),
-    field("standard_errors", &Count::errors, "",
-          {.about = "Of quantities that come from a sample of the pixels; 0 if all pixels were counted. null in "
-                    "results of older builds."})};
+inline constexpr auto fields_of<Count> =
+    Description{"count",
+                field("pixels", &Count::pixels),
+                field("hits", &Count::hits),
+                field("work", &Count::work),
+                field("stages", &Count::stages),
+                derived_field("operations_per_iteration", &Count::per_iteration),
+                field("march_de_calls", &Count::march_estimates),
+                field("march_iterations", &Count::march_iterations),
+                field("lane_use", &Count::lane_use),
+                field("standard_errors", &Count::errors, "",
+                      {.about = "Of quantities that come from a sample of the pixels; 0 if all pixels were counted."})};
 
 template <>
-inline constexpr auto fields_of<Counted> = extended(Description{"counted", field("fractal", &Counted::fractal),
-                                                                field("precision", &Counted::precision),
-                                                                field("mode", &Counted::mode),
-                                                                field("setting", &Counted::setting)},
-                                                    fields_of<Count>);
+inline constexpr auto fields_of<Counted> =
+    extended(Description{"counted", field("fractal", &Counted::fractal, "", rules::required),
+                         field("precision", &Counted::precision, "", rules::required),
+                         field("mode", &Counted::mode, "", rules::required), field("setting", &Counted::setting)},
+             fields_of<Count>);
 
 template <>
 inline constexpr auto fields_of<Ratio> =
@@ -274,17 +273,30 @@ inline constexpr auto fields_of<Contest> = Description{
     field("rivals", &Contest::rivals, "",
           {.about = "The other applications' rows, fastest first. ratio: their kernel time / the fastest's."})};
 
+// Returns the portability of the applications that ran.
+inline std::vector<Portability> portability_of(const Result& result)
+{
+    std::vector<Portability> all = portability({&result, 1});
+    std::erase_if(all, [](const Portability& one) { return one.platforms.empty(); });
+    return all;
+}
+
 template <>
 inline constexpr auto fields_of<Result> =
     Description{"result",
-                field("study", &Result::study),
+                field("study", &Result::study, "", rules::required),
                 field("seed", &Result::seed),
                 field("runs", &Result::runs, "", {.about = "Number of runs (processes) that left samples."}),
                 field("environment", &Result::environment),
                 field("warnings", &Result::warnings),
                 field("peaks", &Result::peaks),
                 field("counts", &Result::counts),
-                field("rows", &Result::rows),
-                derived_field("questions", &Result::questions)};
+                field("rows", &Result::rows, "", rules::required),
+                derived_field("questions", &Result::questions),
+                derived_field("portability", portability_of),
+                derived_field("winners", contests_of, "", {.about = "Only in results of a standard study."})};
+
+template <>
+inline constexpr Format format_of<Result>{result_schema, 2};
 
 }  // namespace mandelmarch::bench

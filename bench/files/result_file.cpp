@@ -11,24 +11,26 @@
 #include "bench/judge/portability.h"
 #include "bench/files/result_file.h"
 #include "bench/files/result_fields.h"
-#include "bench/files/version1.h"
 #include "core/base/error.h"
 #include "core/base/input_file.h"
+#include "core/base/json.h"
 #include "core/base/text.h"
 
 namespace mandelmarch::bench {
 namespace {
 
+constexpr std::size_t one_liner = -1;  // depth of a value that takes one line
 constexpr std::string_view result_kind = "result file of bench --json";
 
 // Returns the JSON in the text; if the text is not JSON, a value for which is_discarded() is true.
 Json parsed(const std::string& text, const std::string& name)
 {
-    check_json_depth(text, name);
-    return Json::parse(text, nullptr, false);
+    try {
+        return parse_json<Json>(text, name);
+    } catch (const Json::exception&) {
+        return Json::value_t::discarded;
+    }
 }
-
-Json schema_in(const Json& json) { return json.is_object() ? json.value("schema", Json()) : Json(); }
 
 // Throws Refusal if two configurations have the same name, if operation counts have no lane utilisation, or if a GPU's
 // readings are impossible.
@@ -49,50 +51,46 @@ void check(const Result& result)
     }
 }
 
-// Returns the result that the JSON holds. Throws Refusal if it is not a valid result.
-Result result_of(Json json)
+// Formats JSON. Plain values that follow each other share a line, and so do all samples of a row; other values take a
+// line for each element.
+std::string lines_of(const Json& json, std::string_view key, std::size_t depth)
 {
-    if (schema_in(json) != result_schema) throw Refusal{"", "not a result of bench"};
-    upgrade(json);
-    if (const Json version = json.value("version", Json()); version != schema_version) {
-        throw Refusal{"", fmt::format("version {} of the result format, expected {}", printable(version.dump(), 80),
-                                      schema_version)};
+    const auto plain = [](const Json& element) { return !element.is_structured() || element.empty(); };
+    if (plain(json)) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const bool one_line = key == "samples" || depth == one_liner || std::ranges::all_of(json, plain);
+    const std::size_t inner = one_line ? one_liner : depth + 1;
+    std::string text;
+    bool after_plain = false;
+    for (const auto& [name, element] : json.items()) {
+        const bool new_line = !one_line && !(after_plain && plain(element));
+        if (!text.empty()) text += new_line ? "," : ", ";
+        if (new_line) text += "\n" + std::string(inner, ' ');
+        if (json.is_object()) text += lines_of(name, "", one_liner) + ": ";
+        text += lines_of(element, name, inner);
+        after_plain = plain(element);
     }
-    Result result;
-    from_json(json, result);
-    check(result);
-    return derived(std::move(result));
+    if (!one_line) text += "\n" + std::string(depth, ' ');
+    return fmt::format("{}{}{}", json.is_object() ? '{' : '[', text, json.is_object() ? '}' : ']');
 }
 
 }  // namespace
 
-Json json_of(const Result& result)
-{
-    Json json = document(result_schema, schema_version, result);
-    json["portability"] = json_of(portability({&result, 1}));
-    json["winners"] = to_json(contests_of(result));
-    return json;
-}
+Json facts_of(const Result& result) { return document(result, Form::facts); }
+
+Json json_of(const Result& result) { return document(result, Form::derived); }
 
 Json json_of(const std::vector<Portability>& portabilities)
 {
     Json list = Json::array();
     for (const Portability& p : portabilities) {
-        if (!p.platforms.empty()) list.push_back(to_json(p));
+        if (!p.platforms.empty()) list.push_back(to_json(p, Form::derived));
     }
     return list;
 }
 
 Result result_from_json(const Json& json, const std::string& name)
 {
-    try {
-        return result_of(json);
-    } catch (const Refusal& refusal) {
-        throw InputError(fmt::format("{}: {}{}{}, expected a result of bench --json", name, refusal.place,
-                                     refusal.place.empty() ? "" : ": ", refusal.why));
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(fmt::format("{}: not a result of bench: {}", name, error.what()));
-    }
+    return derived(record_of<Result>(json, name, check));
 }
 
 Result parse_result(const std::string& text, const std::string& name)
@@ -111,13 +109,10 @@ std::optional<Result> read_if_result(const std::string& path)
     return result_from_json(json, path);
 }
 
-Json upgraded_json(const std::string& path)
+Json json_in(const std::string& path)
 {
     Json json = parsed(text_of_file(path, result_kind), path);
-    const Json schema = schema_in(json);
-    if (!schema.is_string()) throw InputError(path + ": not a file of bench, expected a result of --json");
-    if (schema == result_schema) return json_of(result_from_json(json, path));
-    upgrade(json);
+    if (!schema_in(json).is_string()) throw InputError(path + ": not a file of bench, expected a result of --json");
     return json;
 }
 
@@ -142,6 +137,6 @@ std::vector<std::string> result_files(const std::vector<std::string>& paths)
     return files;
 }
 
-std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string text_of(const Json& json) { return lines_of(json, "", 0) + "\n"; }
 
 }  // namespace mandelmarch::bench

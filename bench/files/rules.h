@@ -16,11 +16,13 @@ namespace rules {
 // Times of 0 or less are read without an error. If a configuration has one, `bench compare` reports that it cannot be
 // compared.
 inline constexpr Rule seconds{.min = -1e9, .max = 1e9, .timed = true};
+inline constexpr Rule required_seconds{.min = -1e9, .max = 1e9, .timed = true, .required = true};
 inline constexpr Rule real{.min = -1e6, .max = 1e6};
 inline constexpr Rule rate{.max = 1e30, .timed = true};
 inline constexpr Rule fraction{.max = 1};
 inline constexpr Rule count{.timed = true};
 inline constexpr Rule text_or_null{.null = Null::empty};
+inline constexpr Rule required{.required = true};
 inline constexpr Rule infinite{.min = -std::numeric_limits<double>::infinity(),
                                .max = std::numeric_limits<double>::infinity(),
                                .null = Null::infinite,

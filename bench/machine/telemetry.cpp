@@ -257,7 +257,7 @@ Json Telemetry::since_start() const
     }
     return {{"energy", energy()},
             {"counters", counters()},
-            {"gpus", readings.missing.empty() ? to_json(readings.gpus) : missing(readings.missing)}};
+            {"gpus", readings.missing.empty() ? to_json(readings.gpus, Form::facts) : missing(readings.missing)}};
 }
 
 }  // namespace mandelmarch::bench

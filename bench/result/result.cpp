@@ -8,8 +8,8 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Returns the name of the backend with this role; `otherwise` if none has it, as in older results, which have no roles.
-std::string backend_with(const nlohmann::ordered_json& environment, Role role, const char* otherwise)
+// Returns the name of the backend with this role; empty if none has it.
+std::string backend_with(const nlohmann::ordered_json& environment, Role role)
 {
     const auto backends = environment.find("backends");
     if (backends != environment.end() && backends->is_array()) {
@@ -17,7 +17,7 @@ std::string backend_with(const nlohmann::ordered_json& environment, Role role, c
             if (backend.is_object() && backend.value("role", "") == name_of(role)) return backend.value("name", "");
         }
     }
-    return otherwise;
+    return {};
 }
 
 }  // namespace
@@ -31,9 +31,9 @@ std::string Row::name() const
 
 bool Result::failed() const { return std::ranges::any_of(rows, &Row::failed); }
 
-std::string Result::reference() const { return backend_with(environment, Role::reference, "reference"); }
+std::string Result::reference() const { return backend_with(environment, Role::reference); }
 
-std::string Result::host() const { return backend_with(environment, Role::host, "openmp"); }
+std::string Result::host() const { return backend_with(environment, Role::host); }
 
 const Row& Result::row(std::string_view name) const
 {

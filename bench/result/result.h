@@ -14,7 +14,6 @@
 namespace mandelmarch::bench {
 
 inline constexpr const char* result_schema = "mandelmarch-bench";
-inline constexpr int schema_version = 2;
 // The study that compares backends and includes the baselines.
 inline constexpr std::string_view standard_study = "standard";
 inline constexpr std::string_view demo_study = "demo";  // a short study, with the same baselines
@@ -116,7 +115,7 @@ struct Row {
     double step_factor = 0, unsettled = 0;
     Work work;              // of one picture
     double operations = 0;  // of one picture, from the counting kernel; 0: unknown
-    // Standard error of `operations`, which are counted on a sample of the pixels; nullopt in results of older builds.
+    // Standard error of `operations`, which are counted on a sample of the pixels; nullopt: unknown.
     std::optional<double> operations_error;
     std::vector<Sample> samples;
     // Name under which the configuration is compared; set by derived(). It is the name of the backend, but
@@ -180,7 +179,7 @@ struct Result {
     std::string study;
     std::uint64_t seed = 0;
     int runs = 1;  // number of runs that left samples
-    nlohmann::ordered_json environment;
+    nlohmann::ordered_json environment = nlohmann::ordered_json::object();
     std::vector<std::string> warnings;
     std::vector<Peak> peaks;
     std::vector<Counted> counts;

@@ -58,7 +58,7 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
                                    const std::function<void(const Discrepancy&)>& found,
                                    const std::function<void(double)>& progress);
 
-nlohmann::ordered_json json_of(const EquivalenceResult& result);
+nlohmann::ordered_json facts_of(const EquivalenceResult& result);
 
 // Returns a table with a line for each tested configuration.
 std::string to_console(const EquivalenceResult& result);

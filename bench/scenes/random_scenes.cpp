@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <random>
+#include <tuple>
 
 #include "bench/base/table.h"
 #include "bench/machine/environment.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr int picture_width = 61;  // pixels
 constexpr int picture_height = 45;
+constexpr std::uint64_t picture_pixels = picture_width * picture_height;
 constexpr Precision tested_precisions[] = {Precision::f64, Precision::f32};
 
 struct DrawnScene {
@@ -80,29 +82,33 @@ double share(std::uint64_t part, std::uint64_t whole)
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::vector<RandomSums> sums_of(const std::vector<RandomRow>& rows)
+std::vector<RandomSums> sums_of(const std::vector<RandomRow>& rows, std::uint64_t pixels)
 {
     std::vector<RandomSums> all;
     for (const RandomRow& row : rows) {
-        const std::string_view fractal = row.scene.fractal->short_name;
-        const auto same = [&](const RandomSums& one) {
-            return one.fractal == fractal && one.precision == row.precision;
-        };
-        auto found = std::ranges::find_if(all, same);
+        auto found = std::ranges::find_if(
+            all, [&](const RandomSums& one) { return one.fractal == row.fractal && one.precision == row.precision; });
         if (found == all.end()) {
-            all.push_back({.fractal = std::string(fractal), .precision = row.precision, .all = {}, .sets = {}});
+            all.push_back({.fractal = row.fractal, .precision = row.precision, .all = {}, .sets = {}});
             found = all.end() - 1;
         }
-        found->all.add(row);
-        found->sets[std::to_string(row.set)].add(row);
+        found->all.add(row, pixels);
+        found->sets[std::to_string(row.set)].add(row, pixels);
     }
     std::ranges::stable_sort(all, {}, [](const RandomSums& one) { return fractal_named(one.fractal).list_order; });
     return all;
 }
 
-bool passed(const RandomSums& sums)
+// Returns the row of a scene whose picture differs from the canonical picture by `off`.
+RandomRow row_of(const DrawnScene& one, const Scene& scene, Precision precision, const Comparison& off)
 {
-    return std::ranges::all_of(sums.sets, [](const auto& set) { return set.second.passed(); });
+    return {.fractal = std::string(scene.fractal->short_name),
+            .precision = precision,
+            .set = one.set,
+            .number = one.number,
+            .off = off.visibly_differing,
+            .hit_or_miss = off.hit_or_miss,
+            .scene = scene};
 }
 
 // Returns RandomSums::missed. `drawn` renders a scene.
@@ -126,31 +132,29 @@ std::string missed(const RandomSums& sums, const std::vector<DrawnScene>& scenes
             Scene scene = one.scene;
             scene.limits.step_factor = step_factor;
             const Comparison off = compare(one.canonical, drawn(scene, sums.precision, Mode::fast));
-            tried.sets[std::to_string(one.set)].add({one.set, one.number, scene, sums.precision, off});
+            tried.sets[std::to_string(one.set)].add(row_of(one, scene, sums.precision, off), picture_pixels);
         }
-        if (passed(tried)) return text + fmt::format("{}: a step factor of {} holds the limits\n", name, step_factor);
+        if (std::ranges::all_of(tried.sets, [](const auto& set) { return set.second.passed(); })) {
+            return text + fmt::format("{}: a step factor of {} holds the limits\n", name, step_factor);
+        }
     }
     return text + name + ": no step factor from 0.8 to 0.1 holds the limits\n";
 }
 
 }  // namespace
 
-void RandomSum::add(const RandomRow& row)
+void RandomSum::add(const RandomRow& row, std::uint64_t pixels_of_row)
 {
-    const Comparison& off = row.off;
-    pixels += off.pixels;
-    visibly_differing += off.visibly_differing;
-    hit_or_miss += off.hit_or_miss;
-    const double part = share(off.visibly_differing, off.pixels);
+    pixels += pixels_of_row;
+    visibly_differing += row.off;
+    hit_or_miss += row.hit_or_miss;
+    const double part = share(row.off, pixels_of_row);
     worst = std::max(worst, part);
-    const double load = std::max(part / most_off, share(off.hit_or_miss, off.pixels) / most_wrong_hits);
-    if (load >= worst_load) {
-        worst_load = load;
-        worst_scene = row.scene;
-    }
+    const double load = std::max(part / most_off, share(row.hit_or_miss, pixels_of_row) / most_wrong_hits);
+    if (load >= worst_load) std::tie(worst_load, worst_scene) = std::tie(load, row.scene);
     if (part > most_off) {
         ++far_off;
-        if (row.exact_off > most_off) ++short_of_digits;
+        if (row.exact_off_percent > 100 * most_off) ++short_of_digits;
     }
     ++scenes;
 }
@@ -160,10 +164,14 @@ double RandomSum::wrong_hits() const { return share(hit_or_miss, pixels); }
 
 bool RandomSum::passed() const { return off() <= most_off && wrong_hits() <= most_wrong_hits; }
 
-bool RandomResult::passed() const
+RandomResult summed(RandomResult result)
 {
-    return std::ranges::all_of(sums, [](const RandomSums& one) { return bench::passed(one); });
+    result.sums =
+        sums_of(result.rows, static_cast<std::uint64_t>(result.width) * static_cast<std::uint64_t>(result.height));
+    return result;
 }
+
+bool RandomResult::passed() const { return std::ranges::all_of(sums, &std::string::empty, &RandomSums::missed); }
 
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress)
@@ -176,13 +184,13 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
         throw Unavailable(fmt::format("backend {}: {}", backend->name(), *why));
     }
     const Techniques techniques = techniques_without(options.without);
-    RandomResult result{.options = options,
+    RandomResult result{.backend = std::string(backend->name()),
+                        .without = options.without,
                         .width = picture_width,
                         .height = picture_height,
                         .environment = environment(registry),
-                        .sums = {},
-                        .rows = {}};
-    result.options.backend = backend->name();
+                        .rows = {},
+                        .sums = {}};
     std::vector<DrawnScene> scenes = scenes_of(options);
     draw_canonical(registry, scenes, progress);
     std::unique_ptr<Renderer> renderers[2][2];
@@ -200,32 +208,32 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
     for (const Precision precision : tested_precisions) {
         for (const DrawnScene& one : scenes) {
             const Comparison off = compare(one.canonical, drawn(one.scene, precision, Mode::fast));
-            double exact_off = 0;
+            RandomRow& row = result.rows.emplace_back(row_of(one, one.scene, precision, off));
             if (precision == Precision::f32 && share(off.visibly_differing, off.pixels) > most_off) {
                 const Comparison exact = compare(drawn(one.scene, Precision::f64, Mode::exact),
                                                  drawn(one.scene, Precision::f32, Mode::exact));
-                exact_off = share(exact.visibly_differing, exact.pixels);
+                row.exact_off_percent = 100 * share(exact.visibly_differing, exact.pixels);
             }
-            result.rows.push_back({one.set, one.number, one.scene, precision, off, exact_off});
         }
     }
-    result.sums = sums_of(result.rows);
+    result = summed(std::move(result));
     for (RandomSums& sums : result.sums) sums.missed = missed(sums, scenes, drawn);
     return result;
 }
 
 std::string to_console(const RandomResult& result)
 {
-    const RandomOptions& options = result.options;
+    const std::vector<RandomSums>& all = result.sums;
+    const int sets = static_cast<int>(all.front().sets.size());
     std::string text = fmt::format(
         "Fast mode by {}{} against canonical pictures: {} random scenes a fractal in each of {} sets, "
         "{} x {} pixels\n",
-        options.backend, options.without.empty() ? "" : " without " + options.without, options.scenes,
-        options.sets.size(), picture_width, picture_height);
+        result.backend, result.without.empty() ? "" : " without " + result.without, all.front().all.scenes / sets, sets,
+        result.width, result.height);
     text += fmt::format("{:<8} {:<9}  {:>18}  {:>18}  {:>15}  {:>15}  {:>6}\n", "fractal", "precision",
                         "pixels off, by set", "hit or miss wrong", fmt::format("scenes over {:.0f} %", 100 * most_off),
                         "short of digits", "worst");
-    for (const RandomSums& sums : result.sums) {
+    for (const RandomSums& sums : all) {
         const auto range = [&](double (RandomSum::*share)() const, int digits) {
             std::vector<double> values;
             for (const auto& [seed, set] : sums.sets) values.push_back(100 * (set.*share)());

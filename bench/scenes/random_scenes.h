@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bench/study/options.h"
-#include "core/image/compare.h"
 #include "core/render/registry.h"
 #include "core/scene/scene.h"
 
@@ -25,27 +24,29 @@ struct RandomOptions {
 
 // Result of one scene in one precision.
 struct RandomRow {
-    unsigned set = 0;
-    int number = 0;  // index of the scene among those of its fractal and set
-    Scene scene;
+    std::string fractal;  // short name
     Precision precision = Precision::f64;
-    Comparison off;  // difference from the canonical picture
-    // If a float picture differs visibly in more than most_off of its pixels: the fraction of pixels in which exact
+    unsigned set = 0;
+    int number = 0;                 // index of the scene among those of its fractal and set
+    std::uint64_t off = 0;          // pixels that differ visibly from the canonical picture
+    std::uint64_t hit_or_miss = 0;  // pixels that hit instead of miss, or miss instead of hit
+    // If a float picture differs visibly in more than most_off of its pixels: the percentage of pixels in which exact
     // mode's float picture of the scene differs visibly from exact mode's double picture. Else 0.
-    double exact_off = 0;
+    double exact_off_percent = 0;
+    Scene scene{};  // not stored
 };
 
 // Sum over the scenes of one set, or of all sets, of one fractal in one precision.
 struct RandomSum {
-    std::uint64_t pixels = 0, visibly_differing = 0, hit_or_miss = 0;
+    std::uint64_t pixels = 0, visibly_differing = 0, hit_or_miss = 0;  // pixels: all
     int scenes = 0;
     int far_off = 0;          // scenes in which more than most_off of the pixels differ visibly
-    int short_of_digits = 0;  // far_off scenes whose exact_off also exceeds most_off: the precision is too low
+    int short_of_digits = 0;  // far_off scenes whose exact_off_percent is also too high: the precision is too low
     double worst = 0;         // largest fraction of visibly differing pixels in one scene
     double worst_load = 0;    // largest multiple of a limit in one scene, and this scene
     Scene worst_scene{};
 
-    void add(const RandomRow& row);
+    void add(const RandomRow& row, std::uint64_t pixels_of_row);
     double off() const;         // fraction of the pixels that differ visibly
     double wrong_hits() const;  // fraction of the pixels that hit instead of miss, or miss instead of hit
     bool passed() const;        // true if both fractions are within their limits
@@ -67,14 +68,17 @@ inline constexpr double most_off = 0.02;           // fraction of the pixels tha
 inline constexpr double most_wrong_hits = 0.0002;  // fraction of the pixels that hit or miss wrongly
 
 struct RandomResult {
-    RandomOptions options;
+    std::string backend, without;
     int width = 0, height = 0;  // pixels of each picture
     nlohmann::ordered_json environment;
-    std::vector<RandomSums> sums;
     std::vector<RandomRow> rows;  // ordered by precision, fractal, set
 
-    bool passed() const;  // true if every set meets both limits
+    std::vector<RandomSums> sums;  // set by summed()
+    bool passed() const;           // true if every set meets both limits
 };
+
+// Sets the sums, in the order of the fractals.
+RandomResult summed(RandomResult result);
 
 // Renders each scene of every set at 61 x 45 pixels: the canonical picture, and the backend's picture in fast mode in
 // both precisions. The backend `reference` renders the canonical picture; if it does not support the scene, openmp's
@@ -83,7 +87,8 @@ struct RandomResult {
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress);
 
-nlohmann::ordered_json json_of(const RandomResult& result);
+// Returns what a file holds.
+nlohmann::ordered_json facts_of(const RandomResult& result);
 
 // Returns a table with a line for each fractal and precision, and then RandomSums::missed.
 std::string to_console(const RandomResult& result);

@@ -4,11 +4,10 @@
 
 #include <string>
 
+#include "bench/files/document.h"
 #include "bench/scenes/equivalence.h"
-#include "bench/files/fields.h"
 #include "bench/scenes/random_scenes.h"
 #include "bench/files/result_fields.h"
-#include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {
 
@@ -30,38 +29,39 @@ inline constexpr auto fields_of<RandomSums> =
                 field("sets", &RandomSums::sets, "", {.about = "Sums over each set, by the seed of the set."})};
 
 template <>
-inline constexpr auto fields_of<RandomRow> = Description{
-    "scene",
-    derived_field("fractal", [](const RandomRow& row) { return std::string(row.scene.fractal->short_name); }),
-    field("precision", &RandomRow::precision),
-    field("set", &RandomRow::set),
-    field("number", &RandomRow::number),
-    derived_field("off", [](const RandomRow& row) { return std::uint64_t{row.off.visibly_differing}; }, "",
-                  {.about = "Pixels."}),
-    derived_field("hit_or_miss", [](const RandomRow& row) { return std::uint64_t{row.off.hit_or_miss}; }, "",
-                  {.about = "Pixels that hit instead of miss, or miss instead of hit."}),
-    derived_field("exact_off_percent", [](const RandomRow& row) { return 100 * row.exact_off; })};
+inline constexpr auto fields_of<RandomRow> =
+    Description{"scene",
+                field("fractal", &RandomRow::fractal, "", rules::required),
+                field("precision", &RandomRow::precision, "", rules::required),
+                field("set", &RandomRow::set, "", rules::required),
+                field("number", &RandomRow::number, "", rules::required),
+                field("off", &RandomRow::off, "", {.required = true, .about = "Pixels."}),
+                field("hit_or_miss", &RandomRow::hit_or_miss, "",
+                      {.required = true, .about = "Pixels that hit instead of miss, or miss instead of hit."}),
+                field("exact_off_percent", &RandomRow::exact_off_percent, "", {.max = 100})};
 
 template <>
 inline constexpr auto fields_of<RandomResult> =
     Description{"random",
-                derived_field("backend", [](const RandomResult& result) { return result.options.backend; }),
-                derived_field("without", [](const RandomResult& result) { return result.options.without; }, "",
-                              {.about = "Disabled optimisations, separated by commas."}),
-                field("width", &RandomResult::width),
-                field("height", &RandomResult::height),
+                field("backend", &RandomResult::backend),
+                field("without", &RandomResult::without, "", {.about = "Disabled optimisations, separated by commas."}),
+                field("width", &RandomResult::width, "", rules::required),
+                field("height", &RandomResult::height, "", rules::required),
                 field("environment", &RandomResult::environment),
-                field("sums", &RandomResult::sums),
-                field("scenes", &RandomResult::rows)};
+                derived_field("sums", &RandomResult::sums),
+                field("scenes", &RandomResult::rows, "", rules::required)};
+
+template <>
+inline constexpr Format format_of<RandomResult>{"mandelmarch-bench-random", 1};
 
 template <>
 inline constexpr auto fields_of<Tested> =
     Description{"subject",
                 field("backend", &Tested::backend),
                 field("device", &Tested::device),
-                derived_field("simd_width", [](const Tested& tested) { return tested.options.simd_width; }, "",
-                              {.about = "0: chosen by the backend."}),
-                derived_field("precision", [](const Tested& tested) { return tested.options.precision; }),
+                field("simd_width", [](const Tested& tested) { return tested.options.simd_width; }, "",
+                      {.about = "0: chosen by the backend."}),
+                field("precision", [](const Tested& tested) { return tested.options.precision; }),
                 field("pictures", &Tested::pictures),
                 field("unavailable", &Tested::unavailable, "",
                       {.about = "Number of scenes that the configuration does not support."}),
@@ -77,18 +77,21 @@ inline constexpr auto fields_of<Discrepancy> = Description{
 template <>
 inline constexpr auto fields_of<EquivalenceResult> =
     Description{"equivalence",
-                derived_field("scenes", [](const EquivalenceResult& result) { return result.options.scenes; }),
-                derived_field("seed", [](const EquivalenceResult& result) { return result.options.seed; }),
-                derived_field("fractal",
-                              [](const EquivalenceResult& result) {
-                                  const auto& one = result.options.fractals;
-                                  return std::string(one.empty() ? "all" : one.front()->short_name);
-                              }),
+                field("scenes", [](const EquivalenceResult& result) { return result.options.scenes; }),
+                field("seed", [](const EquivalenceResult& result) { return result.options.seed; }),
+                field("fractal",
+                      [](const EquivalenceResult& result) {
+                          const auto& one = result.options.fractals;
+                          return std::string(one.empty() ? "all" : one.front()->short_name);
+                      }),
                 field("environment", &EquivalenceResult::environment),
                 field("missing", &EquivalenceResult::missing, "",
                       {.about = "A line for each backend without a device, with the reason."}),
                 field("failures", &EquivalenceResult::failures),
                 field("subjects", &EquivalenceResult::subjects),
                 field("discrepancies", &EquivalenceResult::discrepancies)};
+
+template <>
+inline constexpr Format format_of<EquivalenceResult>{"mandelmarch-bench-equivalence", 2};
 
 }  // namespace mandelmarch::bench

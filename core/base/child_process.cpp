@@ -44,19 +44,6 @@ std::string program_file(const std::string& name)
     throw Error(fmt::format("does not start: {}: {}", name, std::strerror(ENOENT)));
 }
 
-// Returns this process's environment without the variables whose names begin with one of `hidden`.
-std::vector<char*> environment_without(const std::vector<std::string>& hidden)
-{
-    std::vector<char*> kept;
-    for (char** one = environ; *one != nullptr; ++one) {
-        const std::string_view variable = *one;
-        if (std::ranges::none_of(hidden, [&](const auto& begin) { return variable.starts_with(begin); }))
-            kept.push_back(*one);
-    }
-    kept.push_back(nullptr);
-    return kept;
-}
-
 void confine()
 {
     constexpr rlim_t largest_file = 1 << 30;  // bytes
@@ -95,7 +82,12 @@ pid_t started(ChildSetup& setup)
     std::vector<char*> words;
     for (std::string& word : setup.words) words.push_back(word.data());
     words.push_back(nullptr);
-    const std::vector<char*> environment = environment_without(setup.hidden);
+    std::vector<char*> environment;
+    for (char** one = environ; *one != nullptr; ++one) {
+        const auto is_beginning = [one](const std::string& name) { return std::string_view(*one).starts_with(name); };
+        if (std::ranges::none_of(setup.hidden, is_beginning)) environment.push_back(*one);
+    }
+    environment.push_back(nullptr);
     const std::string file = setup.program.empty() ? program_file(setup.words[0]) : setup.program;
     auto [failed, fails] = make_pipe();  // a successful exec closes `fails`
     const pid_t parent = getpid();

@@ -37,6 +37,7 @@ inline constexpr Variables variables[] = {
     {{"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}, "explore", "the display"},
     {{"PATH"}, "all programs", "folders with ffmpeg and other programs"},
     {{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}, "flythrough", "set in each process of an MPI program"},
+    {{"SLURM_NTASKS"}, "flythrough", "number of tasks that Slurm starts"},
     {{"OMP_NUM_THREADS", "OMP_THREAD_LIMIT"}, "all programs", "number of threads on the CPU, and its maximum", true},
     {{"OMP_PROC_BIND", "OMP_PLACES", "GOMP_CPU_AFFINITY"}, "openmp, bench", "cores of openmp's threads", true},
     {{"OMP_DYNAMIC", "OMP_WAIT_POLICY", "GOMP_SPINCOUNT"}, "OpenMP", "how threads are used, and how they wait", true},

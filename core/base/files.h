@@ -59,8 +59,8 @@ struct NamedFile {
     std::string path;
 };
 
-// Throws InputError if two of the written files, or a written file and a read file, are the same file. The log of drivers
-// (MANDELMARCH_DRIVER_LOG) counts as a written file. Devices (/dev/null, a terminal) may be given twice.
+// Throws InputError if two of the written files, or a written file and a read file, are the same file. The log of
+// drivers (MANDELMARCH_DRIVER_LOG) counts as a written file. Devices (/dev/null, a terminal) may be given twice.
 void refuse_shared_files(const std::vector<NamedFile>& written, const std::vector<NamedFile>& read = {});
 
 }  // namespace mandelmarch

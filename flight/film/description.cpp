@@ -31,8 +31,7 @@ nlohmann::ordered_json look_in(const Picture& picture)
     return picture.look->values->numbers;
 }
 
-// Returns the file of this program. Where /proc is missing, its name at the start, relative to the folder at the start,
-// which programs do not leave.
+// Returns the file of this program; if /proc is missing, the name that it was started by.
 const char* program_file()
 {
     constexpr const char* linked = "/proc/self/exe";
@@ -108,7 +107,7 @@ std::string summary_of(const Path& path, const Backend& backend, const FilmOptio
         {"device", {{"name", device.name}, {"driver", device.driver}, {"is_gpu", device.is_gpu}}},
         {"precision", name_of(options.renderer.precision)},
         {"mode", name_of(options.renderer.mode)},
-        {"threads", options.renderer.threads},
+        {"threads", backend.info().threads ? options.renderer.threads : 0},
         {"processes", processes},
         {"frames_rendered", report.frames},
         {"seconds", report.seconds},

@@ -24,7 +24,8 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
 std::string differences(const std::string& theirs, const std::string& ours);
 
 // Returns the summary of a rendered film: JSON with the device, the size, the mode, the number of frames rendered in
-// this run, and the time. `processes`: number of ranks. The time per frame is null if this run did not render a frame.
+// this run, and the time. `processes`: number of ranks. The number of threads is 0 if the backend does not use it. The
+// time per frame is null if this run did not render a frame.
 std::string summary_of(const Path& path, const Backend& backend, const FilmOptions& options, const FilmStats& report,
                        int processes);
 

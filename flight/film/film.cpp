@@ -70,10 +70,10 @@ public:
     // Renders those of the chosen segments that are not finished. Returns the numbers of segments and frames rendered.
     std::pair<std::size_t, std::size_t> render()
     {
-        const auto [first, last] = chosen_segments(options_.segments, work_.frames());
+        const auto [first, after] = chosen_segments(options_.segments, work_.frames());
         // Rank 0 alone looks for finished segments, so that all ranks have the same list.
-        std::string found(last - first + 1, '-');  // for each segment; x: finished
-        for (std::size_t s = first; s <= last && ranks_.rank() == 0; ++s) {
+        std::string found(after - first, '-');  // for each segment; x: finished
+        for (std::size_t s = first; s < after && ranks_.rank() == 0; ++s) {
             if (is_finished(work_.segment_file(s))) found[s - first] = 'x';
         }
         found = ranks_.share(found);
@@ -81,15 +81,17 @@ public:
             throw Error(work_.folder() + ": the folder is missing on a rank, expected one that all ranks share");
         }
         std::vector<std::size_t> todo;
+        std::size_t frames = 0;
         std::size_t finished = 0;
-        for (std::size_t s = first; s <= last; ++s) {
+        for (std::size_t s = first; s < after; ++s) {
+            frames += work_.last(s) - work_.first(s);
             if (found[s - first] == 'x') {
                 finished += work_.last(s) - work_.first(s);
             } else {
                 todo.push_back(s);
             }
         }
-        FilmProgress progress(work_.last(last) - work_.first(first), ranks_.rank() == 0 ? finished : 0);
+        FilmProgress progress(frames, ranks_.rank() == 0 ? finished : 0);
         std::optional<FrameMaker> maker;
         if (!todo.empty()) maker.emplace(backend_, options_.renderer, path_, options_.picture);
         if (ranks_.rank() == 0 && todo.size() >= worth_a_forecast) foretell(*maker, todo);
@@ -100,7 +102,7 @@ public:
             if (!alone) progress.add(work_.last(todo[number]) - work_.first(todo[number]));
         };
         ranks_.each(todo.size(), body, done);
-        return {todo.size(), work_.last(last) - work_.first(first) - finished};
+        return {todo.size(), frames - finished};
     }
 
     // Joins the title and the segments to the film (without re-encoding, except for GIF) and removes the segments.
@@ -118,6 +120,11 @@ public:
         }
         const std::size_t frames = work_.frames() + pieces.size() * title_frames(coding_.frames_per_second);
         for (std::size_t s = 0; s < work_.segments(); ++s) pieces.push_back(work_.segment_file(s));
+        for (const std::string& file : pieces) {
+            if (work_.state_of(file) == FileState::whole) continue;
+            throw Error(fmt::format("{}/{}: changed while the film was made, expected the same command again",
+                                    work_.folder(), file));
+        }
         std::vector<std::string> joining{"-f", "concat", "-safe", "0", "-i", "list.txt"};
         const auto add = [&](const std::vector<std::string>& more) {
             joining.insert(joining.end(), more.begin(), more.end());
@@ -276,8 +283,7 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate)
     }
     check_picture(picture);
     check_title(title_of(options), picture);
-    const auto [first, last] = chosen_frames(options.frames, frames);
-    static_cast<void>(chosen_segments(options.segments, last - first + 1));
+    static_cast<void>(chosen_frames(options.frames, frames));
     OutputFile::check(options.output);
     if (!OutputFile::is_stream(options.output)) {
         OutputFile::check(stamp_path(end_of_links(options.output)), NamedBy::program);

@@ -42,14 +42,14 @@ struct FilmStats {
 // not have all chosen frames.
 Range chosen_frames(const std::optional<Range>& frames, std::size_t all);
 
-// Returns `segments`, or all segments if not set, without those beyond the end of a film of `frames` frames. Throws
-// InputError if none are left.
+// Returns the first of `segments`, or of all segments if not set, and the one after the last, without those beyond the
+// end of a film of `frames` frames. Both are the same if none are left.
 Range chosen_segments(const std::optional<Range>& segments, std::size_t frames);
 
 // Throws InputError if the film cannot be made from a path of `frames` frames at `rate` frames per second:
 // - The width or height is odd, too small or too large.
 // - The container does not allow the frame rate.
-// - The path does not have the chosen frames or segments.
+// - The path does not have the chosen frames.
 // - The title does not fit.
 // - The output cannot be written, or its extension is not that of a film.
 // - Segments are chosen, but the output is a pipe or device.

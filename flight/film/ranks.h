@@ -39,6 +39,10 @@ std::unique_ptr<Ranks> make_ranks();
 // Returns the ranks of a program that is a single process.
 std::unique_ptr<Ranks> one_rank();
 
+// Throws InputError if the environment says that several processes were started together, but they do not find each
+// other: each of them would make the whole film.
+void refuse_singletons(const Ranks& ranks);
+
 // Returns true if environment variables show that mpirun, or srun with MPI, started this process.
 bool started_by_mpi();
 

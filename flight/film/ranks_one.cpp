@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A single process as Ranks.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdlib>
-#include <string_view>
+#include <iterator>
+#include <string>
 
 #include "core/base/environment.h"
 #include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
 #include "flight/film/ranks.h"
 
 namespace mandelmarch {
@@ -35,6 +41,20 @@ bool started_by_mpi()
     // Set by Open MPI, by MPICH and its derivatives, and by PMIx (Slurm).
     return !environment_variable("OMPI_COMM_WORLD_SIZE").empty() || !environment_variable("PMI_SIZE").empty() ||
            !environment_variable("PMIX_RANK").empty();
+}
+
+void refuse_singletons(const Ranks& ranks)
+{
+    // The first variable that is set counts. mpirun sets its own in a job of Slurm with more tasks.
+    constexpr VariableName names[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_NTASKS"};
+    const auto* const set = std::ranges::find_if(names, [](auto name) { return !environment_variable(name).empty(); });
+    if (ranks.size() > 1 || set == std::end(names)) return;
+    const std::string tasks = environment_variable(*set);
+    if (parse_whole(tasks).value_or(1) <= 1) return;
+    throw InputError(fmt::format(
+        "{}: {} tasks were started, but each finds itself alone, expected mpirun or an srun that suits this "
+        "program's MPI, one task, or --segments for each",
+        set->text, printable(tasks)));
 }
 
 std::unique_ptr<Ranks> one_rank() { return std::make_unique<OneRank>(); }

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/input_file.h"
@@ -92,8 +93,13 @@ void SegmentStore::lock(bool shared)
         if (lock_.number() < 0 && errno == ENOENT && tries < most_tries) continue;
         if (lock_.number() < 0) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
         if (flock(lock_.number(), (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) != 0) {
-            if (errno != EWOULDBLOCK) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
-            throw Error(fmt::format("{}: another run makes a film of this name at the moment", film_));
+            if (errno == EWOULDBLOCK) {
+                throw Error(fmt::format("{}: another run makes a film of this name at the moment", film_));
+            }
+            if (errno != ENOSYS && errno != ENOLCK && errno != EOPNOTSUPP) {
+                throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
+            }
+            say("film: {}: {}, so a second run of this name would not be noticed\n", name, std::strerror(errno));
         }
         if (still_there(lock_.number(), name)) return;
     }

@@ -8,7 +8,9 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/base/console.h"
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/output_file.h"
 #include "core/image/formats/image_file.h"
 #include "flight/film/description.h"
@@ -50,11 +52,22 @@ void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& 
 std::vector<std::size_t> frames_of(const StillOptions& options, std::size_t all)
 {
     const auto [begin, end] = chosen_frames(options.frames, all);
-    const auto [first, last] = chosen_segments(options.segments, end - begin + 1);
+    const auto [first, after] = chosen_segments(options.segments, end - begin + 1);
     std::vector<std::size_t> frames;
-    const std::size_t behind = std::min(end + 1, begin + (last + 1) * segment_frames);
+    const std::size_t behind = std::min(end + 1, begin + after * segment_frames);
     for (std::size_t f = begin + first * segment_frames; f < behind; f += options.every) frames.push_back(f);
     return frames;
+}
+
+// Prints a message if the folder has stills of which the stamps do not begin with `pictures`.
+void name_others(const std::string& folder, const std::string& pictures)
+{
+    const auto others = std::ranges::count_if(files_in(folder), [&](const std::string& file) {
+        const std::string name = fs::path(file).filename().string();
+        return name.starts_with("frame-") && name.ends_with(".made") && !first_line(file).starts_with(pictures);
+    });
+    if (others == 0) return;
+    say("stills: {} has {} pictures of another film, look, size, format or program, which are kept\n", folder, others);
 }
 
 }  // namespace
@@ -68,10 +81,9 @@ Range chosen_frames(const std::optional<Range>& frames, std::size_t all)
 
 Range chosen_segments(const std::optional<Range>& segments, std::size_t frames)
 {
-    const std::size_t last = (frames - 1) / segment_frames;
-    const Range chosen = segments.value_or(Range{0, last});
-    if (chosen.first <= chosen.second && chosen.first <= last) return {chosen.first, std::min(chosen.second, last)};
-    throw InputError(fmt::format("--segments: {}-{} given, expected some of 0-{}", chosen.first, chosen.second, last));
+    const std::size_t all = (frames - 1) / segment_frames + 1;
+    const auto [first, last] = segments.value_or(Range{0, all - 1});
+    return {std::min(first, all), std::min(last + 1, all)};
 }
 
 void check_stills(const StillOptions& options, std::size_t frames)
@@ -120,6 +132,7 @@ std::size_t make_stills(const Path& path, const Backend& backend, const StillOpt
             write_note(file, made_of(frames[i]), digest_of_file(file));
         },
         [&](std::size_t) { progress.add(1); });
+    if (ranks.rank() == 0) name_others(options.folder, pictures);
     return frames.size();
 }
 

@@ -142,9 +142,8 @@ struct Font::Face {
 
 Font::Font(const std::string& file) : face_(std::make_unique<Face>()), file_(file)
 {
-    std::error_code none;
-    const bool read = std::filesystem::is_regular_file(file, none) && FT_Init_FreeType(&face_->library) == 0 &&
-                      FT_New_Face(face_->library, file.c_str(), 0, &face_->face) == 0;
+    const bool read =
+        FT_Init_FreeType(&face_->library) == 0 && FT_New_Face(face_->library, file.c_str(), 0, &face_->face) == 0;
     if (!read || !FT_IS_SCALABLE(face_->face)) {
         throw Error(fmt::format("{}: not a font file with scalable letters", file));
     }
@@ -218,7 +217,9 @@ std::string title_font()
 {
     const std::string named = environment_variable("MANDELMARCH_FONT");
     if (named.empty()) return "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-    return std::filesystem::absolute(named).string();
+    std::error_code none;
+    if (std::filesystem::is_regular_file(named, none)) return std::filesystem::absolute(named).string();
+    throw InputError(fmt::format("MANDELMARCH_FONT: {} is not a file, expected a font file", named));
 }
 
 std::string font_option()

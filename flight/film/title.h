@@ -20,7 +20,7 @@ constexpr std::size_t title_frames(int rate)
 }
 
 // Returns the path of the font file: the value of the environment variable MANDELMARCH_FONT, or DejaVu Sans as
-// installed by Debian's package fonts-dejavu-core.
+// installed by Debian's package fonts-dejavu-core. Throws InputError if the variable does not name a file.
 std::string title_font();
 
 // Returns the font as an option of ffmpeg's drawtext, with special characters of its path escaped.

@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/input_file.h"
+#include "core/base/json.h"
 #include "core/base/text.h"
 #include "core/scene/fractal.h"
 #include "flight/path/path.h"
@@ -23,7 +24,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* format_name = "mandelmarch path 1";
-constexpr std::string_view original_estimate_name = "counted";  // name of the original estimate in path files
 constexpr std::size_t most_frames = 10'000'000;                 // 92 hours at 30 frames per second
 constexpr std::size_t largest_file = std::size_t{4} << 30;      // bytes; more than so many frames need
 constexpr const char* by_size = "by size";
@@ -148,8 +148,8 @@ public:
     bool is_conservative(const char* key) const
     {
         const Json& found = value(key);
-        if (found != original_estimate_name && found != conservative_estimate) {
-            fail(fmt::format("\"{}\" is {}, expected \"{}\" or \"{}\"", key, shown(found), original_estimate_name,
+        if (found != original_estimate && found != conservative_estimate) {
+            fail(fmt::format("\"{}\" is {}, expected \"{}\" or \"{}\"", key, shown(found), original_estimate,
                              conservative_estimate));
         }
         return found == conservative_estimate;
@@ -236,7 +236,7 @@ std::string to_text(const Path& path)
         format_name, scene.fractal->name, path.seed, path.frames_per_second,
         path.detail_by_size ? fmt::format("\"{}\"", by_size) : number(scene.detail), triple({a, b, c}),
         scene.iterations, number(scene.escape), scene.colouring, number(scene.brightness),
-        scene.conservative ? conservative_estimate : original_estimate_name);
+        scene.conservative ? conservative_estimate : original_estimate);
     for (std::size_t i = 0; i < path.frames.size(); ++i) {
         const Frame& frame = path.frames[i];
         text += fmt::format("{{\"location\": {}, \"look_at\": {}, \"up\": {}, \"field_of_view\": {}{}}}{}\n",
@@ -248,10 +248,9 @@ std::string to_text(const Path& path)
 
 Path path_from_text(const std::string& text, const std::string& name)
 {
-    check_json_depth(text, name);
     Json json;
     try {
-        json = Json::parse(text);
+        json = parse_json(text, name);
     } catch (const Json::exception& error) {
         throw InputError(
             fmt::format("{}: {}, expected a path file (JSON)", name, printable(error.what(), longest_cause)));

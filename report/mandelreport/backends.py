@@ -11,8 +11,8 @@ from typing import Any
 @dataclass(frozen=True)
 class Backends:
     """`names`: in the order of text and figures; the index is the backend's series number. The reference, which does
-    not use the kernel, is last. `reference`, `host`: the backends with these roles; the defaults are for old results,
-    which have no roles."""
+    not use the kernel, is last. `reference`, `host`: the backends with these roles; the defaults are for a report
+    without results."""
 
     names: tuple[str, ...] = ()
     reference: str = "reference"

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file of bench: names and units for the part of bench/schemas/result.schema.json that the report
-uses."""
+"""A result file of bench: names and units for the part of `bench json` that the report uses."""
 
 from __future__ import annotations
 
@@ -121,12 +120,11 @@ class Bench:
 
     @property
     def machine(self) -> str:
-        """Returns the processor, the number of usable cores, and the GPUs of the rows. Old results lack `platform`; for
-        them the processor is the CPU's model."""
+        """Returns the processor, the number of usable cores, and the GPUs of the rows."""
         cpu = self.environment["cpu"]
         gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
         which = [f"machine {self.number}"] if self.number else []
-        return ", ".join([f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} threads", *gpus, *which])
+        return ", ".join([f"{cpu['platform']}, {cpu['cores_usable']} threads", *gpus, *which])
 
     def same_machine(self, other: Bench) -> bool:
         """Returns true if two results whose machines have the same name are from one machine, by the rule of

@@ -3,18 +3,14 @@
 
 Exit codes: 0 success, 1 a fault, 2 wrong arguments, 77 no browser. Screenshots go to --pictures."""
 
-from __future__ import annotations
-
 import argparse
-import json
 import re
 from pathlib import Path
 
-from .browser import Browser
-from .checker import DESKTOP, NARROW, Checker
+from .browser import DECODE, DESKTOP, holds, opened, pdf_of
 from .errors import InputError, run_program, write_whole
 from .page import APPENDIX, MAIN
-from .viewer_check import ViewerChecker, without_webgl
+from .viewer_check import NARROW, ViewerChecker
 
 PAPER = 680  # pixels: A4 without its margins
 MOST_PAGES = 12
@@ -24,43 +20,43 @@ SECTIONS = 1 + len(MAIN) + len(APPENDIX)
 DIFFERENCE = re.compile(r"[\d,]+ of [\d,]+ pixels differ(: the same bytes\.|, [\d,]+ by more than 2/255, at most \d+/255\.)")
 
 
-class PageChecker(Checker):
-    def page(self) -> None:
+class PageChecker(ViewerChecker):
+    def whole(self) -> None:
         """Checks that nothing is broken, nothing overflows a narrow window, and every picture has a description."""
-        run = self.browser.run
-        run("Promise.all([...document.images].map((image) => image.decode().catch(() => 0))).then(() => 1)")
+        run = self.page.evaluate
+        run(DECODE)
         self.expect(run("[...document.images].every((i) => i.naturalWidth > 0)"), "every picture can be decoded")
         self.expect(run("[...document.images].every((i) => i.alt.length > 10)"), "every picture has an alternative text")
         self.expect(run("document.querySelectorAll('section').length") == SECTIONS, f"{SECTIONS} sections, the front page first")
         self.expect(run("document.querySelectorAll('#front .answer data').length") > 0, "the front page's answers have numbers")
-        for name, (width, height) in (("desktop", DESKTOP), ("narrow", NARROW)):
-            self.browser.size(width, height)
+        for name, size in (("desktop", DESKTOP), ("narrow", NARROW)):
+            self.page.set_viewport_size(size)
             self.expect(
                 run("document.documentElement.scrollWidth <= window.innerWidth"),
-                f"{width} pixels: nothing overflows ({run('document.documentElement.scrollWidth')} wide)",
+                f"{size['width']} pixels: nothing overflows ({run('document.documentElement.scrollWidth')} wide)",
             )
             run("window.scrollTo(0, 0)")
             self.shot(name)
-        self.browser.size(*DESKTOP)
+        self.page.set_viewport_size(DESKTOP)
 
     def pages(self, style: str) -> int:
         """Returns the number of pages that the browser prints with an additional style sheet."""
-        self.browser.run(f"document.head.append(Object.assign(document.createElement('style'), {{ id: 'part', textContent: {json.dumps(style)} }}))")
-        pages = len(re.findall(rb"/Type\s*/Page\b", self.browser.pdf()))
-        self.browser.run("document.getElementById('part').remove()")
+        part = self.page.add_style_tag(content=style)
+        pages = len(re.findall(rb"/Type\s*/Page\b", pdf_of(self.page)))
+        part.evaluate("(style) => style.remove()")
         return pages
 
     def paper(self) -> None:
         """Checks that nothing overflows on paper, that page 2 begins with section 1, and that the main part is short.
         If anything overflows, the browser shrinks all pages."""
-        run, call = self.browser.run, self.browser.call
-        call("Emulation.setEmulatedMedia", media="print")
-        self.browser.size(PAPER, 1000)
+        run = self.page.evaluate
+        self.page.emulate_media(media="print")
+        self.page.set_viewport_size({"width": PAPER, "height": 1000})
         wide = run("document.documentElement.scrollWidth")
         self.expect(wide <= PAPER, f"paper: nothing overflows ({wide} of {PAPER} pixels)")
         breaks = run(f"getComputedStyle(document.querySelector('#{MAIN[0][0]} h2')).breakBefore")
-        call("Emulation.setEmulatedMedia", media="")
-        self.browser.size(*DESKTOP)
+        self.page.emulate_media(media="null")
+        self.page.set_viewport_size(DESKTOP)
         self.expect(breaks == "page", "paper: section 1 begins on a new page")
         front = self.pages(FRONT_ONLY)
         self.expect(front == 1, f"paper: the front page has {front} pages, expected 1")
@@ -69,7 +65,7 @@ class PageChecker(Checker):
         self.expect(0 < pages <= MOST_PAGES, f"paper: the main part has {pages} pages, at most {MOST_PAGES}")
 
     def slider(self) -> None:
-        run = self.browser.run
+        run = self.page.evaluate
         if not run("document.querySelector('.compare') !== null"):
             print("the page has no pictures: the slider is not checked")
             return
@@ -79,7 +75,7 @@ class PageChecker(Checker):
             run("document.querySelector('.compare .over').style.clipPath").startswith("inset(0px 75%"),
             "the slider uncovers the left quarter",
         )
-        self.browser.wait("document.querySelector('.compare .said').textContent !== ''", 30)
+        holds(self.page, "document.querySelector('.compare .said').textContent !== ''", 30)
         said = run("document.querySelector('.compare .said').textContent")
         self.expect(DIFFERENCE.fullmatch(said) is not None, f"the slider's difference: {said}")
         chosen = run("document.querySelector('.compare [data-side=right]').selectedOptions[0].text")
@@ -89,7 +85,7 @@ class PageChecker(Checker):
         # Selects for the right side the picture that is on the left side.
         run("""(() => { const right = document.querySelector('.compare [data-side=right]');
                         right.selectedIndex = 0; right.dispatchEvent(new Event('change')); })()""")
-        same = self.browser.wait("/^0 of .*: the same bytes\\.$/.test(document.querySelector('.compare .said').textContent)", 30)
+        same = holds(self.page, "/^0 of .*: the same bytes\\.$/.test(document.querySelector('.compare .said').textContent)", 30)
         self.expect(same, "a picture compared with itself has the same bytes")
 
 
@@ -97,16 +93,15 @@ BROKEN = """<!DOCTYPE html><title>broken</title><img src="http://127.0.0.1:9/non
 <script>console.error("said"); throw new Error("thrown");</script>"""
 
 
-def broken_page(checker: Checker) -> None:
+def broken_page(checker: PageChecker) -> None:
     """Negative control: an uncaught error, a logged error and a request must be detected."""
-    page = checker.pictures / "broken.html"
-    write_whole(page, BROKEN.encode())
-    with Browser() as browser:
-        browser.open(page)
-        browser.wait("false", 0.5)
-        problems = " ".join(browser.problems())
+    file = checker.pictures / "broken.html"
+    write_whole(file, BROKEN.encode())
+    with opened(file.absolute().as_uri()) as (page, problems):
+        page.wait_for_timeout(500)
+        said = " ".join(problems)
     checker.expect(
-        all(word in problems for word in ("said", "thrown", "network: http://127.0.0.1:9/none.png")),
+        all(word in said for word in ("said", "thrown", "network: http://127.0.0.1:9/none.png")),
         "faults of a broken page are detected",
     )
 
@@ -119,21 +114,17 @@ def main() -> int:
     arguments = parser.parse_args()
     if not arguments.page.exists():
         raise InputError(f"{arguments.page}: file not found; make it with make report")
-    with Browser() as browser:
-        checker = PageChecker(browser, arguments.pictures)
-        viewer = ViewerChecker(checker, arguments.programs.absolute())
-        browser.size(*DESKTOP)
-        browser.open(arguments.page)
-        checker.page()
+    with opened(arguments.page.absolute().as_uri()) as (page, problems):
+        checker = PageChecker(page, arguments.pictures, arguments.programs.absolute())
+        checker.whole()
         checker.paper()
         checker.slider()
-        viewer.here()
-        viewer.elsewhere(arguments.page)
-        problems = browser.problems()
+        checker.here()
         checker.expect(
             not problems, f"no errors, warnings or requests{': ' + '; '.join(problems[:5]) if problems else ''}"
         )
-    without_webgl(arguments.page, checker)
+    checker.elsewhere(arguments.page)
+    checker.without_webgl(arguments.page)
     broken_page(checker)
     print(f"{len(checker.wrong)} wrong; screenshots in {arguments.pictures}")
     return 1 if checker.wrong else 0

@@ -106,7 +106,9 @@ def write_whole(path: Path, data: bytes) -> None:
     Makes the folder."""
     try:
         if str(path) == "-":
-            path = Path("/dev/stdout")
+            sys.stdout.buffer.write(data)
+            sys.stdout.buffer.flush()
+            return
         path.parent.mkdir(parents=True, exist_ok=True)
         target = _end_of_links(path)
         if str(target).startswith("/proc/") or (target.exists() and not target.is_file()):

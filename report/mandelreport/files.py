@@ -6,15 +6,22 @@ from pathlib import Path
 from typing import Any
 
 from .bench import Bench
-from .errors import InputError, reading
+from .errors import InputError, output_of, reading
+
+
+# The kinds of files from which bench computes figures.
+OF_BENCH = ("mandelmarch-bench", "mandelmarch-bench-random", "mandelmarch-duel", "mandelmarch-race")
+PROGRAMS = Path(__file__).parents[2] / "bin"
 
 
 class Files:
-    """`read`: the content of each file read so far, by the file's path relative to the folder. If a file cannot be read
+    """`read`: the content of each file read so far, by the file's path relative to the folder. Files of bench hold facts
+    alone; their content is what `bench json` of the folder `programs` prints, with all figures. If a file cannot be read
     or parsed, its method raises InputError with one line."""
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path, programs: Path = PROGRAMS):
         self.folder = folder
+        self.bench_program = programs / "bench"
         self.read: dict[str, Any] = {}
 
     def _bytes(self, name: str) -> bytes:
@@ -34,7 +41,10 @@ class Files:
         if file not in self.read:
             data = self._bytes(file)
             with reading(file, "JSON"):
-                self.read[file] = json.loads(data)
+                content = json.loads(data)
+            if isinstance(content, dict) and content.get("schema") in OF_BENCH:
+                content = json.loads(output_of(self.bench_program, "json", self.folder / file))
+            self.read[file] = content
         return self.read[file]
 
     def bench(self, name: str) -> Bench:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks the live viewer of a page in a headless browser: its pictures, its scenes, its keys and its address."""
 
-from __future__ import annotations
-
 import base64
+import io
 import json
 import math
 import subprocess
@@ -11,12 +10,13 @@ import time
 from pathlib import Path
 
 from PIL import Image
+from playwright.sync_api import Page
 
-from .browser import Browser
-from .checker import DESKTOP, NARROW, Checker
+from .browser import DESKTOP, holds, opened
 from .errors import write_whole
 from .viewer import differing_fields, views
 
+NARROW = {"width": 360, "height": 740}  # pixels; a phone
 VIEWER_SECONDS = 300  # per picture, on a processor
 SAVE_SECONDS = 30
 SIZE = (320, 180)  # pixels of the viewer's picture
@@ -41,14 +41,25 @@ def same_view(a: str, b: str) -> bool:
 
 
 class ViewerChecker:
-    def __init__(self, checker: Checker, programs: Path):
-        self.browser, self.pictures, self.programs = checker.browser, checker.pictures, programs
-        self.expect, self.shot = checker.expect, checker.shot
+    """`page`: the open page; `pictures`: the folder of screenshots; `wrong`: all faults."""
+
+    def __init__(self, page: Page, pictures: Path, programs: Path):
+        self.page, self.pictures, self.programs = page, pictures, programs
+        self.wrong: list[str] = []
         self.address = self.shared = ""  # the part of an address after the page's name; the view that it shows
+
+    def expect(self, right: bool, what: str) -> None:
+        print(f"{'ok   ' if right else 'WRONG'} {what}")
+        if not right:
+            self.wrong.append(what)
+
+    def shot(self, name: str) -> bytes:
+        """Writes a PNG of the visible part of the page, and returns it."""
+        return self.page.screenshot(path=self.pictures / f"{name}.png")
 
     def here(self) -> None:
         """Checks the viewer of the page that is open."""
-        run = self.browser.run
+        run = self.page.evaluate
         if not run("document.getElementById('viewer-canvas') !== null"):
             print("the page has no viewer")
             return
@@ -63,7 +74,7 @@ class ViewerChecker:
                     for parameter, value in odd.items():
                         self._slide(parameter, value)
                     begin = time.monotonic()
-                    whole = self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
+                    whole = holds(self.page, "Viewer.idle()", VIEWER_SECONDS)
                     self.expect(
                         whole,
                         f"viewer, {fractal}, {odd or 'official'}, {mode}: complete after {time.monotonic() - begin:.0f} s "
@@ -75,23 +86,27 @@ class ViewerChecker:
         self._views()
 
     def _fractals(self) -> list[str]:
-        return self.browser.run("[...document.getElementById('viewer-fractal').options].map((o) => o.value)")
+        return self.page.evaluate("[...document.getElementById('viewer-fractal').options].map((o) => o.value)")
 
     def _slide(self, parameter: str, value: float) -> None:
-        self.browser.run(f"""(() => {{ const s = document.querySelector('[data-parameter="{parameter}"]');
-            s.value = {value}; s.dispatchEvent(new Event('input')); }})()""")
+        self.page.locator(f'[data-parameter="{parameter}"]').evaluate("(s, v) => { s.value = v; s.dispatchEvent(new Event('input')); }", value)
 
     def _choose(self, select: str, value: str) -> None:
-        self.browser.run(f"""(() => {{ const s = document.getElementById('{select}');
-            if (![...s.options].some((o) => o.value === '{value}')) s.add(new Option('{value}'));
-            s.value = '{value}'; s.dispatchEvent(new Event('change')); }})()""")
+        self.page.locator(f"#{select}").evaluate(
+            """(s, v) => { if (![...s.options].some((o) => o.value === v)) s.add(new Option(v));
+            s.value = v; s.dispatchEvent(new Event('change')); }""",
+            value,
+        )
+
+    def _picture(self) -> bytes:
+        return base64.b64decode(self.page.evaluate("Viewer.picture()").partition(",")[2])
 
     def _against_render(self, fractal: str, mode: str, name: str) -> None:
         """Compares the viewer's picture and scene with those of bin/render for the viewer's parameter file."""
         seen = self.pictures / f"{name}.png"
-        write_whole(seen, base64.b64decode(self.browser.run("Viewer.picture()").partition(",")[2]))
+        write_whole(seen, self._picture())
         dat = self.pictures / f"{name}.dat"
-        write_whole(dat, self.browser.run("Viewer.dat()").encode())
+        write_whole(dat, self.page.evaluate("Viewer.dat()").encode())
         render = self.programs / "render"
         if not render.exists():
             print(f"{render} is missing: the viewer's picture is not compared")
@@ -101,7 +116,7 @@ class ViewerChecker:
         command = [render, "--fractal", fractal, dat, "--precision", "float", "--mode", mode, "--without", "trial"]
         printed = subprocess.run([*command, "--print-scene"], capture_output=True, text=True, check=False)
         if printed.returncode == 0:
-            mine = self.browser.run("({ ...Viewer.fields(), miss: 'Infinity' })")
+            mine = self.page.evaluate("({ ...Viewer.fields(), miss: 'Infinity' })")
             other = differing_fields(mine, json.loads(printed.stdout))
             self.expect(not other, f"{name}: the scene's fields are bin/render's{': not ' + ', '.join(other) if other else ''}")
             mutant = differing_fields(mine | {"root_share": 1.5 * mine["root_share"]}, json.loads(printed.stdout))
@@ -124,7 +139,7 @@ class ViewerChecker:
     def _views(self) -> None:
         """Checks that the buttons show the views, that the page's address contains the view, and that the picture can
         be saved."""
-        run = self.browser.run
+        run = self.page.evaluate
         files = {view["name"]: view["dat"] for view in views(self._fractals())}
         names = run("[...document.querySelectorAll('[data-view]')].map((button) => button.textContent.toLowerCase())")
         self.expect(sorted(names) == sorted(files), f"buttons for the views: {', '.join(names)}")
@@ -135,7 +150,7 @@ class ViewerChecker:
             self.expect(same_view(dat, files[name]), f"the button {name} shows the view")
             self.expect(not same_view(dat, files[names[number - 1]]), f"the view {name} is not the view before it")
         self._choose("viewer-mode", "exact")  # unlike at the start
-        kept = self.browser.wait(
+        kept = holds(self.page, 
             "(() => { const at = new URLSearchParams(location.hash.slice(1));"
             "return at.get('mode') === 'exact' && at.get('dat') === Viewer.dat().replace(/^#.*\\n/gm, ''); })()",
             VIEWER_SECONDS,
@@ -144,60 +159,52 @@ class ViewerChecker:
         self.address, self.shared = run("location.hash"), run("Viewer.dat()")
         self._choose("viewer-mode", "fast")
         self._jump(0)
-        self.browser.wait(f"location.hash !== {json.dumps(self.address)}", VIEWER_SECONDS)
+        holds(self.page, f"location.hash !== {json.dumps(self.address)}", VIEWER_SECONDS)
         run(f"location.hash = {json.dumps(self.address)}")
-        back = self.browser.wait("document.getElementById('viewer-mode').value === 'exact'", 30)
+        back = holds(self.page, "document.getElementById('viewer-mode').value === 'exact'", 30)
         self.expect(back and same_view(run("Viewer.dat()"), self.shared), "another address shows another view")
-        self.browser.wait("Viewer.idle() && !document.getElementById('viewer-picture').disabled", VIEWER_SECONDS)
-        saved = self.pictures / "view.png"
-        saved.unlink(missing_ok=True)
-        self.browser.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(self.pictures.absolute()))
-        run("document.getElementById('viewer-picture').click()")
-        end = time.monotonic() + SAVE_SECONDS
-        while not saved.exists() and time.monotonic() < end:
-            time.sleep(0.1)
-        picture = base64.b64decode(run("Viewer.picture()").partition(",")[2])
-        self.expect(saved.exists() and saved.read_bytes() == picture, "the button saves the picture")
+        holds(self.page, "Viewer.idle() && !document.getElementById('viewer-picture').disabled", VIEWER_SECONDS)
+        with self.page.expect_download(timeout=1000 * SAVE_SECONDS) as saved:
+            self.page.locator("#viewer-picture").click()
+        same = saved.value.path().read_bytes() == self._picture()
+        self.expect(same and saved.value.suggested_filename == "view.png", "the button saves the picture")
 
     def _jump(self, number: int) -> None:
-        self.browser.run(f"document.querySelectorAll('[data-view]')[{number}].click()")
+        self.page.evaluate(f"document.querySelectorAll('[data-view]')[{number}].click()")
 
     def elsewhere(self, page: Path) -> None:
         """Checks that another browser shows the same view at the same address, and another view without it."""
         if not self.address:
             return
-        with Browser() as browser:
-            browser.size(*DESKTOP)
-            browser.open(page, self.address)
-            size = browser.run("[Viewer.fields().width, Viewer.fields().height]")
-            mode = browser.run("document.getElementById('viewer-mode').value")
-            same = same_view(browser.run("Viewer.dat()"), self.shared) and size == list(SIZE) and mode == "exact"
+        with opened(page.absolute().as_uri() + self.address) as (other, _):
+            size = other.evaluate("[Viewer.fields().width, Viewer.fields().height]")
+            mode = other.evaluate("document.getElementById('viewer-mode').value")
+            same = same_view(other.evaluate("Viewer.dat()"), self.shared) and size == list(SIZE) and mode == "exact"
             self.expect(same, f"the address shows the same view in another browser: {mode}, {size[0]} x {size[1]}")
-            visible = browser.run(
+            visible = other.evaluate(
                 "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect();"
                 "return r.bottom > 0 && r.top < innerHeight; })()"
             )
             self.expect(visible, "the page of this address opens at the viewer")
-            browser.open(page)
-            self.expect(not same_view(browser.run("Viewer.dat()"), self.shared), "without the address, another view is shown")
+        with opened(page.absolute().as_uri()) as (other, _):
+            self.expect(not same_view(other.evaluate("Viewer.dat()"), self.shared), "without the address, another view is shown")
 
     def _fly(self) -> None:
         """Checks that keys move the camera, that a drag turns it, and that the page reads an edited parameter file."""
-        run = self.browser.run
-        run("document.getElementById('viewer-canvas').focus()")
+        run = self.page.evaluate
+        canvas, mouse = self.page.locator("#viewer-canvas"), self.page.mouse
+        canvas.focus()
         before = run("JSON.stringify(Viewer.camera())")
-        self.browser.call("Input.dispatchKeyEvent", type="keyDown", key="w", code="KeyW", text="w")
-        moved = self.browser.wait(f"JSON.stringify(Viewer.camera().eye) !== JSON.stringify({before}.eye)", 60)
-        self.browser.call("Input.dispatchKeyEvent", type="keyUp", key="w", code="KeyW")
+        self.page.keyboard.down("w")
+        moved = holds(self.page, f"JSON.stringify(Viewer.camera().eye) !== JSON.stringify({before}.eye)", 60)
+        self.page.keyboard.up("w")
         self.expect(moved, "the key W moves the camera")
-        place = run(
-            "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect(); return [r.x + 99, r.y + 99]; })()"
-        )
-        for kind, by in (("mousePressed", 0), ("mouseMoved", 40), ("mouseReleased", 40)):
-            self.browser.call(
-                "Input.dispatchMouseEvent", type=kind, x=place[0] + by, y=place[1], button="left", buttons=1, clickCount=1
-            )
-        turned = self.browser.wait(f"JSON.stringify(Viewer.camera().forward) !== JSON.stringify({before}.forward)", 60)
+        place = canvas.bounding_box()
+        mouse.move(place["x"] + 99, place["y"] + 99)
+        mouse.down()
+        mouse.move(place["x"] + 139, place["y"] + 99)
+        mouse.up()
+        turned = holds(self.page, f"JSON.stringify(Viewer.camera().forward) !== JSON.stringify({before}.forward)", 60)
         self.expect(turned, "a drag turns the camera")
         run("""(() => { const t = document.getElementById('viewer-dat'); t.value = t.value.replace(/(# field of view\\n).*/, '$11.25');
                         document.getElementById('viewer-go').click(); })()""")
@@ -205,27 +212,24 @@ class ViewerChecker:
         run(
             """(() => { const s = document.querySelector('[data-parameter]'); s.value = s.max; s.dispatchEvent(new Event('input')); })()"""
         )
-        self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
-        self.shot("viewer")
-        with Image.open(self.pictures / "viewer.png") as seen:
+        holds(self.page, "Viewer.idle()", VIEWER_SECONDS)
+        with Image.open(io.BytesIO(self.shot("viewer"))) as seen:
             place = run(
                 "(() => { const r = document.getElementById('viewer-canvas').getBoundingClientRect();"
                 "return [r.left, Math.max(0, r.top), r.right, Math.min(innerHeight, r.bottom)]; })()"
             )
             colours = seen.convert("RGB").crop(tuple(map(round, place))).getcolors(2**24) or []
         self.expect(len(colours) > 100, f"the screen shows the viewer's picture: {len(colours)} colours")
-        self.browser.size(*NARROW)
+        self.page.set_viewport_size(NARROW)
         run("document.getElementById('viewer-live').scrollIntoView()")
-        self.browser.wait("Viewer.idle()", VIEWER_SECONDS)
+        holds(self.page, "Viewer.idle()", VIEWER_SECONDS)
         self.shot("viewer-narrow")
-        self.browser.size(*DESKTOP)
+        self.page.set_viewport_size(DESKTOP)
 
-
-def without_webgl(page: Path, checker: Checker) -> None:
-    """Checks that the page reports a missing WebGL 2."""
-    with Browser("--disable-3d-apis") as browser:
-        browser.open(page)
-        checker.expect(
-            browser.run("!document.getElementById('viewer-none') || !document.getElementById('viewer-none').hidden"),
-            "without WebGL 2 the page reports that",
-        )
+    def without_webgl(self, page: Path) -> None:
+        """Checks that the page reports a missing WebGL 2."""
+        with opened(page.absolute().as_uri(), "--disable-3d-apis") as (other, _):
+            self.expect(
+                other.evaluate("!document.getElementById('viewer-none') || !document.getElementById('viewer-none').hidden"),
+                "without WebGL 2 the page reports that",
+            )

@@ -14,7 +14,7 @@ import sys
 
 BIN, SOURCE = map(pathlib.Path, sys.argv[1:3])
 STUDY = SOURCE / "results" / "bench.json"
-STORED = json.loads(STUDY.read_text())
+STORED = json.loads(subprocess.check_output([BIN / "bench", "json", STUDY]))
 
 
 def pivot(rows, *keys):

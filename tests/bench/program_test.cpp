@@ -14,6 +14,7 @@
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
 #include "bench/command/outputs.h"
+#include "bench/files/result_file.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "tests/bench/broken_backend.h"
@@ -54,7 +55,7 @@ Ran run(Defect defect, std::vector<std::string> arguments)
     }
     ran.out = testing::internal::GetCapturedStdout();
     ran.err += testing::internal::GetCapturedStderr();
-    if (std::ifstream json(file); json) ran.json = nlohmann::ordered_json::parse(json);
+    if (std::filesystem::exists(file)) ran.json = json_of(read_result(file));
     return ran;
 }
 

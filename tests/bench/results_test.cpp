@@ -166,46 +166,35 @@ TEST(ResultFile, IsReadAsItWasWritten)
     EXPECT_EQ(json_of(parse_result(text_of(json), "file.json")), json);
 }
 
-// Results of version 1 use other words for some values, and the oldest lack values that later builds measured.
-TEST(ResultFile, AnOldResultIsUpgraded)
+// A file holds facts alone, and all samples of a row in one line. Its figures are those of its samples, whatever else
+// stands in the file.
+TEST(ResultFile, FiguresAreComputedFromTheFacts)
 {
-    const Result read = parse_result(R"({"schema": "mandelmarch-bench", "version": 1, "study": "packs", "seed": 1,
-        "launches": 1, "environment": {}, "warnings": [], "peaks": [],
-        "counts": [{"fractal": "mandelbox", "precision": "float", "mode": "fast", "setting": {"width": 9, "height": 9,
-            "iterations": 18, "detail": -3, "power": 1, "view": "official", "without": "root", "threads": 0, "pack": 0,
-            "chunk": 0, "frames": 0}, "pixels": 81, "hits": 9, "work": {"steps": 9, "de_calls": 9, "iterations": 9},
-            "stages": {"begin": {"sums": 1, "products": 2, "quotients": 3, "roots": 4},
-                "march": {"sums": 1, "products": 2, "quotients": 3, "roots": 4},
-                "refine": {"sums": 1, "products": 2, "quotients": 3, "roots": 4},
-                "normal": {"sums": 1, "products": 2, "quotients": 3, "roots": 4},
-                "shade": {"sums": 1, "products": 2, "quotients": 3, "roots": 4}},
-            "march_de_calls": 9, "march_iterations": 9, "lanes": 16, "active_in_steps": 0.5,
-            "active_in_iterations": 0.25}],
-        "rows": [{"fractal": "mandelbox", "precision": "float", "mode": "fast", "backend": "openmp", "device": 0,
-            "point": "pack=16", "setting": {"width": 9, "height": 9, "iterations": 18, "detail": -3, "power": 1,
-            "view": "official", "without": "", "threads": 0, "pack": 16, "chunk": 0, "frames": 0}, "unavailable": null,
-            "failure": null, "platform": "CPU", "device_name": "CPU", "vendor": "", "driver": "", "is_gpu": false,
-            "instruction_set": "", "threads": 2, "pack": 16, "proof": {"drawn": true, "fine": true, "yardstick": false,
-            "level": "same bits", "text": "same bits", "against": "openmp --pack 1", "pixels": 81, "differing": 0,
-            "visibly_differing": 0, "largest_ulps": 0, "psnr_db": null}, "context_seconds": 0, "build_seconds": 0,
-            "work": {"steps": 9, "de_calls": 9, "iterations": 9}, "operations": 10,
-            "samples": [{"launch": 0, "round": 0, "kernel": 0.5, "wall": 0.6, "upload": 0, "readback": 0}]}]})",
-                                     "file.json");
-    const Row& row = read.rows.at(0);
-    EXPECT_EQ(read.study, "simd-widths");
-    EXPECT_EQ(row.name(), "mandelbox/float/fast/openmp/0/simd-width=16");
-    EXPECT_EQ(row.verification.against, "openmp --simd-width 1");
-    EXPECT_EQ(row.simd_width, 16);
-    EXPECT_EQ(row.samples.at(0).host, 0.5) << "the kernel's time, measured by the host's clock";
-    EXPECT_EQ(row.step_factor, 0);
-    EXPECT_FALSE(row.operations_error);
-    const Counted& counted = read.counts.at(0);
-    EXPECT_EQ(counted.setting.without, "refinement");
-    EXPECT_EQ(counted.all().divisions, 15U);
-    ASSERT_EQ(counted.lane_use.size(), 1U) << "for one vector length only, without refill";
-    EXPECT_EQ(counted.lane_use[0].together.in_iterations, 0.25);
-    EXPECT_FALSE(counted.lane_use[0].refilled);
-    EXPECT_FALSE(counted.errors);
+    const Json json = with_counts();
+    Json facts = facts_of(parse_result(text_of(json), "file.json"));
+    EXPECT_FALSE(facts["rows"][0].contains("figures"));
+    EXPECT_FALSE(facts.contains("winners"));
+    const std::string text = text_of(facts);
+    EXPECT_EQ(json_of(parse_result(text, "file.json")), json);
+    const std::string line = text.substr(text.find("\"samples\""));
+    EXPECT_NE(line.substr(0, line.find('\n')).find("\"round\": 6"), std::string::npos) << line;
+    facts["rows"][0]["figures"]["kernel_seconds"]["median"] = 1;
+    facts["rows"][0]["later"] = "unknown to this build";
+    EXPECT_EQ(json_of(parse_result(text_of(facts), "file.json")), json);
+}
+
+TEST(ResultFile, WhatAFileLacksIsUnknown)
+{
+    Json facts = facts_of(parse_result(text_of(with_counts()), "file.json"));
+    for (const char* key : {"driver", "operations_standard_error", "step_factor"}) facts["rows"][0].erase(key);
+    facts["counts"][0]["lane_use"][0].erase("refilled");
+    facts.erase("warnings");
+    const Json json = json_of(parse_result(text_of(facts), "file.json"));
+    EXPECT_EQ(json["rows"][0]["driver"], "");
+    EXPECT_TRUE(json["rows"][0]["operations_standard_error"].is_null());
+    EXPECT_TRUE(json["rows"][0]["step_factor"].is_null());
+    EXPECT_TRUE(json["counts"][0]["lane_use"][0]["refilled"].is_null());
+    EXPECT_TRUE(json["warnings"].empty());
 }
 
 // The share of the peak has the same relative standard error as the number of operations.

@@ -61,6 +61,10 @@ TEST(Places, ViewsAreAppendedToAFile)
     EXPECT_TRUE(places.all[1].tour);
     std::ofstream(file) << "something else\n";
     EXPECT_THROW(append_place(file, scene), InputError);
+    const std::string other = "location_y,location_x,location_z,look_at_x,look_at_y,look_at_z,second,stay\n";
+    std::ofstream(file) << other;
+    EXPECT_THROW(append_place(file, scene), InputError);
+    EXPECT_EQ(std::filesystem::file_size(file), other.size());
 }
 
 TEST(ExploreMotion, WallsStopTheFlight)
@@ -261,6 +265,13 @@ TEST(ExploreSettings, AreKeptAndAnInvalidFileGivesAMessage)
     EXPECT_NE(said.find("not a settings file"), std::string::npos) << "a folder";
     std::ofstream(file) << "{}";
     EXPECT_EQ(read_settings(file, said).look, default_look);
+}
+
+TEST(ExploreNames, AreFreeOfLinksThatLeadNowhere)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("missing", folder.path() / "view-001.png");
+    EXPECT_EQ(free_name(folder.path(), "view"), folder.path() / "view-002");
 }
 
 }  // namespace

@@ -92,8 +92,8 @@ test_planted_files() {
     says 'w.mp4.parts: it is a link'
     [ -e other/lock ] || fail "a file behind a link is removed"
     mkfifo font
-    MANDELMARCH_FONT=$PWD/font run 1 render path.json $small --output v.mp4 --title b
-    says 'font: not a font file'
+    MANDELMARCH_FONT=font run 2 render path.json $small --output v.mp4 --title b
+    says 'MANDELMARCH_FONT: font is not a file'
 }
 
 # If stderr cannot be written, flythrough still makes the film and its summary.
@@ -134,6 +134,9 @@ test_stills() {
         diff -r st new >/dev/null || fail "stills of something else stay: $now"
         rm -rf new
     done
+    grep -q 'another film' stderr && fail "stills of another film, but they were replaced"
+    run 0 render path.json ${small/32x16/64x32} --stills st --every 60
+    says 'st has 2 pictures of another film, look, size'
     stills path.json $small --stills st --still-format jpeg
     : >st/frame-000000.jpg
     stills path.json $small --stills st --still-format jpeg
@@ -146,7 +149,7 @@ test_errors() {
     run 77 film ${small/openmp/openmp --device 99}
     local arguments
     for arguments in "--size 15x16" "--size 14x14" "--size 60000x60000" "--output nowhere/film.mp4" \
-        "--summary nowhere/summary.json" "--map nowhere/map.json" "--json nowhere/audit.json" "--segments 500-600" \
+        "--summary nowhere/summary.json" "--map nowhere/map.json" "--json nowhere/audit.json" \
         "--stills file" "--stills stills --summary summary.json" "--power 8:" "--power 0s=8,300s=5"; do
         run 2 film $small $arguments
     done
@@ -158,10 +161,15 @@ test_errors() {
     run 2 audit path.json --json nowhere/audit.json
     run 2 audit path.json --json path.json
     for arguments in "--power 8:5" "--output ./path.json" "--output v.mp4 --summary $PWD/v.mp4" "--stills st --segments 1-0" \
-        "--stills st --segments 5-9"; do
+        "--output v.mp4 --summary v.mp4.made" "--output v.mp4 --summary v.mp4.parts"; do
         run 2 render path.json $small $arguments
     done
-    says '5-9'
+    cp path.json v.mp4.made
+    run 2 render v.mp4.made $small --output v.mp4
+    says 'v.mp4.made: the stamp of --output and PATH are the same file'
+    # Backends that do not draw on the host's cores do not use its threads.
+    run 2 render path.json ${small/openmp/reference} --output v.mp4
+    says '--threads: not supported by backend reference'
 }
 
 # If the title, its line breaks or the font change, an existing film is rendered again.
@@ -215,25 +223,30 @@ test_bad_encoders() {
     [ -e none.mp4.parts ] && fail "work was begun without an encoder"
     MANDELMARCH_FFMPEG_TIMEOUT=abc run 2 render path.json $small --output none.mp4
     says "^MANDELMARCH_FFMPEG_TIMEOUT: 'abc' given, expected seconds"
-    export MANDELMARCH_FFMPEG_TIMEOUT=0.5
-    printf '#!/bin/sh\nexec sleep 100\n' >silent
-    printf '#!/bin/sh\ncase "$*" in *.part-0*) exec sleep 100 ;; esac\nexec ffmpeg "$@"\n' >slow
-    printf '#!/bin/sh\ncase "$*" in -version) exec sleep 100 ;; esac\nexec ffmpeg "$@"\n' >unknown
-    printf '#!/bin/sh\ncase "$*" in *concat*) exec sleep 100 ;; esac\nexec ffmpeg "$@"\n' >apart
-    chmod +x silent slow unknown apart
+    cat >fake <<'END'
+#!/bin/sh
+case "$*" in
+    *"$HANG"*) exec sleep 100 ;;
+    *lavfi*) exit ;;
+    -version) echo fake; exit ;;
+    *.part-0*) [ -z "$FAIL" ] || exit 3 ;;
+esac
+exec ffmpeg "$@"
+END
+    chmod +x fake
+    export MANDELMARCH_FFMPEG=./fake
     hangs() {
-        MANDELMARCH_FFMPEG=./$1 run 1 render path.json $small --output none.mp4
-        says "$2: no answer in $MANDELMARCH_FFMPEG_TIMEOUT s"
+        HANG=$1 MANDELMARCH_FFMPEG_TIMEOUT=1 "$program" render path.json $small --output none.mp4 2>stderr
+        [ $? = 1 ] || fail "exit code of an ffmpeg that hangs: $1"
+        says "$2: no answer in 1 s"
     }
-    hangs silent 'silent does not work'
-    export MANDELMARCH_FFMPEG_TIMEOUT=3  # of which calls that do not hang need a part
-    hangs slow 'none.mp4: the encoder failed'
-    hangs unknown 'unknown -version'
-    hangs apart 'none.mp4: ffmpeg failed'
-    # The parent ignores SIGCHLD, which hides how processes end.
-    printf '#!/bin/sh\ncase "$*" in *.part-0*) exit 3 ;; esac\nexec ffmpeg "$@"\n' >failing
-    chmod +x failing
-    MANDELMARCH_FFMPEG=./failing expect 1 env --ignore-signal=CHLD "$program" render path.json $small --output failed.mp4
+    hangs lavfi 'fake does not work'
+    hangs -version 'fake -version'
+    hangs .part-0 'none.mp4: the encoder failed'
+    HANG=none run 0 render path.json $small --output none.mp4 --segments 0-1
+    hangs concat 'none.mp4: ffmpeg failed'
+    # A parent that ignores SIGCHLD does not hide how processes end.
+    FAIL=1 HANG=none expect 1 env --ignore-signal=CHLD "$program" render path.json $small --output failed.mp4
     says 'failed.mp4: the encoder failed: exit code 3'
 }
 
@@ -241,15 +254,17 @@ test_bad_encoders() {
 # which would bind it to one core.
 test_path_and_environment() {
     mkdir rel
-    printf '#!/bin/sh\nenv >>"%s"\nPATH=%s exec ffmpeg "$@"\n' "$PWD/variables" "$PATH" >rel/ffmpeg
+    printf '#!/bin/sh\nPATH=%s\nenv >>"%s"\nexec ffmpeg "$@"\n' "$PATH" "$PWD/variables" >rel/ffmpeg
     chmod +x rel/ffmpeg
-    OMP_PROC_BIND=true GOMP_CPU_AFFINITY=0 KMP_AFFINITY=none OWN=1 PATH=rel run 0 render path.json $small --output rel.mp4
+    expect 0 env OMP_PROC_BIND=true GOMP_CPU_AFFINITY=0 KMP_AFFINITY=none OWN=1 PATH=rel "$program" render path.json $small \
+        --output rel.mp4
     grep -q '^OWN=1' variables || fail "no variables: $(cat variables)"
     grep -E '^(OMP|GOMP|KMP)_' variables && fail "ffmpeg has variables of OpenMP"
-    # Without /proc the program finds its own file, too.
+    # Without /proc the program finds its own file, too. The name of the processor is unknown, so the film is made anew.
+    cp rel.mp4 kept
     unshare -rm sh -c 'mount -t tmpfs none /proc' 2>/dev/null || return 0
     expect 0 unshare -rm sh -c 'mount -t tmpfs none /proc && exec "$@"' - "$program" render path.json $small --output rel.mp4
-    says '0 of 2 segments'
+    same_file rel.mp4 kept
 }
 
 # If the program ends by a signal, the processes that it has started end, too. SIGKILL spares those that its children
@@ -265,13 +280,12 @@ test_no_orphans() {
         kill -$signal $!
         wait $! && fail "$signal ended nothing"
         sleep 1
-        kill -0 "$(cat self)" && fail "$signal leaves a child"
-        if kill -0 "$(cat other)"; then
-            [ $signal = TERM ] && fail "$signal leaves a child's child"
-            kill "$(cat other)"
-        fi
+        runs self && fail "$signal leaves a child"
+        runs other && [ $signal = TERM ] && fail "$signal leaves a child's child"
+        runs other && kill "$(cat other)"
     done
 }
+runs() { grep -q . /proc/"$(cat "$1")"/cmdline 2>/dev/null; }  # not if it is a zombie
 
 # The encoder writes half a file and exits with 0, as ffmpeg does if there is no space for the file's end.
 test_half_a_segment() {
@@ -287,6 +301,27 @@ END
     says 'an incomplete file'
     run 0 render path.json $small --output half.mp4
     same_file half.mp4 whole.mp4
+}
+
+# A segment that is exchanged while another one is rendered does not become a part of the film.
+test_exchanged_segment() {
+    whole
+    printf '#!/bin/sh\ncase "$*" in *.part-000001*) echo junk >segment-000000.mp4 ;; esac\nexec ffmpeg "$@"\n' >exchanging
+    chmod +x exchanging
+    MANDELMARCH_FFMPEG=$PWD/exchanging run 1 render path.json $small --output part.mp4
+    says 'part.mp4.parts/.*/segment-000000.mp4: changed while the film was made'
+    run 0 render path.json $small --output part.mp4
+    same_file part.mp4 whole.mp4
+}
+
+# On a file system without locks, films are made without one, and a message says so.
+test_no_locks() {
+    whole
+    echo '#include <errno.h>
+        int flock(int file, int how) { (void)file, (void)how; errno = ENOLCK; return -1; }' | cc -shared -fPIC -x c -o none.so -
+    LD_PRELOAD=$PWD/none.so run 0 render path.json $small --output none.mp4
+    says 'none.mp4.parts/lock: No locks available, so a second run of this name would not be noticed'
+    same_file none.mp4 whole.mp4
 }
 
 # Before a long film, time, disk space and memory are printed. The film and its segments need no more disk than that.

@@ -124,8 +124,20 @@ test_job_arrays() {
     same_file array.mp4 whole.mp4
     run 0 render path.json $small --stills array --segments 1-9
     [ "$(ls array | grep -vc made)" = 4 ] || fail "stills of an array that overhangs: $(ls array)"
-    run 2 render path.json $small --output array2.mp4 --segments 2-9
-    says '2-9 given, expected some of 0-1'
+    # A task behind the film's end has nothing to do.
+    run 0 render path.json $small --output array2.mp4 --segments 2-9
+    says '0 of 2 segments'
+    run 0 render path.json $small --stills array2 --segments 5-9
+    says '0 pictures'
+    # Arguments of the script behind the film are options, also such with blanks.
+    ln -s "$bin" bin
+    SLURM_ARRAY_TASK_ID=0 expect 0 bash "$source/flight/slurm/array.sbatch" path.json titled.mp4 1 $small --title "My Film"
+    run 0 render path.json $small --output titled.mp4 --title "My Film"
+    says '1 of 2 segments'
+    # Slurm's tasks that do not find each other do not make the same film, unless each has its segments.
+    SLURM_NTASKS=3 run 2 render path.json $small --output alone.mp4
+    says '^SLURM_NTASKS: 3 tasks were started, but each finds itself alone'
+    SLURM_NTASKS=3 run 0 render path.json $small --output alone.mp4 --segments 1-1
     # A message reports that the store has segments made with other instructions.
     local other
     other=$(other_instructions)

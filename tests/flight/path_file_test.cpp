@@ -53,6 +53,8 @@ TEST(PathFile, SaysWhatIsWrong)
     says("\"field_of_view\": 1", "\"field_of_view\": 3", "a.json: frame 0");
     says("\"seed\": 3", "\"seed\": -3", "seed");
     says("{\"location\"", "{{\"location\"", "JSON");
+    says("\"seed\"", "\"seed\": 4, \"seed\"", "the key /seed is given twice, expected once");
+    says("3.1], ", "3.1], \"up\": [0, 1, 0], ", "the key /frames/1/up is given twice");
     says("\"seed\"", "\"sede\"", "unknown key \"sede\", expected some of format, fractal, seed");
     says("\"detail\"", "\"look_at\"", "a.json: scene: unknown key \"look_at\", expected some of detail");
     says("\"brightness\": 1.5", "\"brightnes\": 1.5", "a.json: frame 1: unknown key \"brightnes\"");
@@ -64,11 +66,11 @@ TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
 {
     EXPECT_FALSE(path_from_text(text, "a.json").scene.conservative);
     EXPECT_FALSE(
-        path_from_text(with("100, \"col", "100, \"estimate\": \"counted\", \"col"), "a.json").scene.conservative);
+        path_from_text(with("100, \"col", "100, \"estimate\": \"original\", \"col"), "a.json").scene.conservative);
     const Path path = path_from_text(with("100, \"col", "100, \"estimate\": \"conservative\", \"col"), "a.json");
     EXPECT_TRUE(path.scene.conservative);
     EXPECT_TRUE(path_from_text(to_text(path), "b.json").scene.conservative);
-    says("100, \"col", "100, \"estimate\": \"safe\", \"col", "\"estimate\" is \"safe\", expected \"counted\"");
+    says("100, \"col", "100, \"estimate\": \"safe\", \"col", "\"estimate\" is \"safe\", expected \"original\"");
     says("100, \"col", "100, \"estimate\": 1, \"col", "\"estimate\" is 1");
 }
 

@@ -19,10 +19,11 @@ from scipy import stats
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "report"))
 
+import made_programs  # noqa: E402
 from mandelreport import results_page  # noqa: E402
 from mandelreport.results import RESULTS, read_results  # noqa: E402
 
-READ = read_results(ROOT / RESULTS)
+READ = read_results(ROOT / RESULTS, made_programs.TESTED)
 FILES = {bench.name: {row["name"]: row for row in bench.data["rows"]} for bench in READ.benches}
 PAGE = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
 

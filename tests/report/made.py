@@ -8,11 +8,17 @@ import json
 from pathlib import Path
 from typing import Any
 
-STORED = Path(__file__).parents[2] / "results"
+import made_programs
+
+from mandelreport.files import Files
+from mandelreport.results import RESULTS, Results, read_results
+
+ROOT = Path(__file__).parents[2]
+STORED = Files(ROOT / RESULTS, made_programs.TESTED)
 
 
 def stored(name: str) -> Any:
-    return json.loads((STORED / name).read_text(encoding="utf-8"))
+    return STORED.json(name.removesuffix(".json"))
 
 
 BENCH = stored("bench.json")
@@ -98,8 +104,7 @@ def bench(study: str = "standard", rows: list[dict[str, Any]] | None = None) -> 
         "git": {"revision": "0123456789abcdef", "dirty": False},
         "backends": [backend for backend in environment["backends"] if backend["name"] == "openmp"],
     }
-    del environment["cpu"]["platform"]
-    environment["cpu"]["model"] = "Processor"
+    environment["cpu"]["platform"] = environment["cpu"]["model"] = "Processor"
     application = next(entry for entry in BENCH["portability"] if entry["application"] == "openmp")
     return copy.deepcopy(
         BENCH
@@ -152,6 +157,11 @@ def write(folder: Path, files: dict[str, Any]) -> Path:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(data if isinstance(data, str) else json.dumps(data), encoding="utf-8")
     return folder
+
+
+def read(folder: Path, files: dict[str, Any]) -> Results:
+    """Writes the files into the folder and reads them. They have their figures already; a fake bench prints them."""
+    return read_results(write(folder, files), made_programs.programs(folder.with_name("fake_programs")))
 
 
 def random_scenes() -> dict[str, Any]:

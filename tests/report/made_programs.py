@@ -3,8 +3,13 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
+from collections.abc import Sequence
 from pathlib import Path
+
+# The folder of the tested programs.
+TESTED = Path(shutil.which("bench") or Path(__file__).parents[2] / "bin" / "bench").parent
 
 # A fake render, which writes a grey picture. With vulkan, one pixel of it differs. opencl is not available without a
 # driver, and another backend may fail.
@@ -44,15 +49,19 @@ printf '{"width": 540, "height": 540, "same": %s, "differing_pixels": %s, "visib
 printf '"largest_difference": %s, "psnr_db": %s}' $largest $psnr
 $same
 """
-# A fake bench csv FILE.
+# A fake bench csv FILE; bench json FILE, for a file that has its figures already, or is to be refused.
 BENCH = """#!/bin/sh
+[ "$1" = json ] && grep -q '"refused"' "$2" && { echo "bench: it is refused" >&2; exit 2; }
+[ "$1" = json ] && exec cat "$2"
 [ "$1" = csv ] && printf 'backend,kernel_s\\nopenmp,0.1\\n'
 """
 
 
-def programs(folder: Path) -> Path:
+def programs(folder: Path, names: Sequence[str] = ("render", "imgdiff", "bench")) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in (("render", RENDER), ("imgdiff", IMGDIFF), ("bench", BENCH)):
+        if name not in names:
+            continue
         (folder / name).write_text(text, encoding="utf-8")
         (folder / name).chmod(0o755)
     return folder

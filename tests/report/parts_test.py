@@ -25,7 +25,6 @@ from mandelreport.bench import SAME_PEAK, Bench  # noqa: E402
 from mandelreport.blocks import Numbers, ref  # noqa: E402
 from mandelreport.errors import write_whole  # noqa: E402
 from mandelreport.pictures import Cache, Key, Studio  # noqa: E402
-from mandelreport.results import read_results  # noqa: E402
 from mandelreport.sections import Material, parallel  # noqa: E402
 
 
@@ -94,7 +93,7 @@ class PartsTest(unittest.TestCase):
         def of(cores: int) -> dict[str, object]:
             data = made.sweep("threads", "threads", ["1", "2", "4", "8"])
             data["environment"]["cpu"]["cores_usable"] = cores
-            results = read_results(made.write(self.folder / f"results{cores}", {"threads.json": data}))
+            results = made.read(self.folder / f"results{cores}", {"threads.json": data})
             return parallel.section(Material(results, Studio(self.folder, Cache(self.folder)), self.folder))
 
         self.assertEqual(of(2)["threads"], [])
@@ -154,7 +153,7 @@ class PartsTest(unittest.TestCase):
     def test_machines_are_compared_at_one_size(self) -> None:
         def of(machine: str, runs: int, side: int) -> dict[str, object]:
             data = made.bench() | {"runs": runs}
-            data["environment"]["cpu"]["model"] = machine
+            data["environment"]["cpu"]["platform"] = machine
             for row in data["rows"]:
                 row["setting"] |= {"width": side, "height": side}
             return data
@@ -162,7 +161,7 @@ class PartsTest(unittest.TestCase):
         files = {"a.json": of("one", 1, 540), "b.json": of("one", 3, 540), "c.json": of("one", 5, 1080), "d.json": of("two", 1, 540)}
         files["e.json"] = of("three", 9, 540)
         files["e.json"]["rows"] = [row for row in files["e.json"]["rows"] if row["backend"] == "openmp"]  # incomplete
-        found = read_results(made.write(self.folder / "results", files))
+        found = made.read(self.folder / "results", files)
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "d.json"])
         self.assertEqual(found.primary().name, "c.json")
 
@@ -175,8 +174,8 @@ class PartsTest(unittest.TestCase):
             return data
 
         def machines(*files: dict[str, object]) -> list[str]:
-            folder = made.write(self.folder / "results", {f"{n}.json": data for n, data in enumerate(files)})
-            return [bench.machine.rpartition(", ")[2] for bench in read_results(folder).benches]
+            found = made.read(self.folder / "results", {f"{n}.json": data for n, data in enumerate(files)})
+            return [bench.machine.rpartition(", ")[2] for bench in found.benches]
 
         header = (ROOT / "bench" / "judge" / "platforms.h").read_text(encoding="utf-8")
         self.assertIn(f"same_peak = {SAME_PEAK};", header)
@@ -186,7 +185,7 @@ class PartsTest(unittest.TestCase):
     def test_a_machine_without_some_backends_is_compared(self) -> None:
         def of(machine: str, side: int, *more: str) -> dict[str, object]:
             data = made.bench()
-            data["environment"]["cpu"]["model"] = machine
+            data["environment"]["cpu"]["platform"] = machine
             rows = data["rows"]
             data["rows"] = [row | {"backend": backend, "application": backend} for backend in ("openmp", "opencl", "vulkan", *more) for row in rows[:4]]
             for row in data["rows"]:
@@ -194,13 +193,13 @@ class PartsTest(unittest.TestCase):
             return data
 
         files = {"a.json": of("one", 540, "kokkos", "stdpar"), "b.json": of("one", 1080), "c.json": of("two", 1080, "openacc")}
-        found = read_results(made.write(self.folder / "results", files))
+        found = made.read(self.folder / "results", files)
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "c.json"])
         self.assertEqual(found.primary().name, "a.json")
 
     def test_texts_are_known_by_their_first_line(self) -> None:
         files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n"}
-        found = read_results(made.write(self.folder / "results", files))
+        found = made.read(self.folder / "results", files)
         self.assertEqual(found.flight_studies, ["flight study: x\n"])
 
     def test_negative_levels_have_an_axis(self) -> None:

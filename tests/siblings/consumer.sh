@@ -20,4 +20,5 @@ for program in mandelbulb mandelbox render imgdiff demo flythrough bench; do
 done
 "$folder/a b/usr/bin/mandelbulb" "$folder/a b/usr/share/mandelmarch/paramsBulb.dat" --size 32x32 --backend openmp --output "$folder/bulb.png"
 [ -s "$folder/a b/usr/share/doc/mandelmarch/LICENSE" ]
+[ -s "$folder/a b/usr/share/mandelmarch/schemas/result.schema.json" ]
 if command -v help2man >/dev/null; then grep -q '^\.B render' "$folder/a b/usr/share/man/man1/render.1"; fi

@@ -1,15 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """blender_path_test.py: a path is unchanged if it is converted to Blender's cameras and back."""
+import json
 import math
 import os
 import re
+import sys
+import tempfile
 import types
 import unittest
+from unittest import mock
 
 from tool import TOOLS
 
 import blender_path
+from mandelreport.errors import InputError
 
 
 def frame(number):
@@ -47,6 +52,19 @@ def fake_blender():
 
 
 class BlenderTest(unittest.TestCase):
+    def test_a_path_file_that_is_wrong_or_the_new_one_stays(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.dict(sys.modules, bpy=fake_blender(), mathutils=types.SimpleNamespace()):
+            path, link = os.path.join(folder, "path.json"), os.path.join(folder, "link.json")
+            os.symlink(path, link)
+            for text, new, why in ((json.dumps(PATH), link, "the path file itself"), ("[" * 100000, "new.json", "nested too deep"),
+                                   ('{"frames": [{}]}', "new.json", "'location' is missing"), ('{"frames": []}', "new.json", "no frames")):
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(text)
+                with self.assertRaisesRegex(InputError, why):
+                    blender_path.main(["save", path, new])
+                with open(path, encoding="utf-8") as file:
+                    self.assertEqual(file.read(), text)
+
     def test_cameras_and_back(self):
         bpy = fake_blender()
         blender_path.load(bpy, types.SimpleNamespace(Matrix=lambda rows: rows), PATH)

@@ -9,8 +9,8 @@ import unittest
 
 from tool import ToolTest
 
-ROW = {"fractal": "mandelbulb", "precision": "float", "mode": "fast", "backend": "cuda", "samples": [1, 1],
-       "figures": {"kernel_seconds": {"median": 0.001}}, "verification": {"passed": True}, "setting": {"width": 64, "height": 48}}
+ROW = {"fractal": "mandelbulb", "precision": "float", "mode": "fast", "backend": "cuda", "samples": [{"kernel": 0.001}, {"kernel": 0.001}],
+       "verification": {"passed": True}, "setting": {"width": 64, "height": 48}}
 GOOD = {"results/summary.txt": "cuda       passed      1 s  same bits in 6 pictures\n", "results/nvidia-smi.txt": "Product Name : NVIDIA H100\n",
         "results/t-cuda.json": json.dumps({"rows": [ROW]}), "results/seen-cuda.json": "{}"}
 
@@ -54,8 +54,8 @@ class GpuResultsTest(ToolTest):
         for what, change in {
                 "no JSON": {"results/t-cuda.json": "{"}, "another form": {"results/t-cuda.json": "[]"},
                 "no rows": {"results/t-cuda.json": "{}"}, "deep": {"results/t-cuda.json": "[" * 100000},
-                "no figures": rows(figures={"kernel_seconds": None}), "a text": rows(figures={"kernel_seconds": {"median": "x"}}),
-                "infinite": rows(figures={"kernel_seconds": {"median": 1e999}}), "no setting": rows(setting=None),
+                "no time": rows(samples=[{"kernel": None}]), "a text": rows(samples=[{"kernel": "x"}]),
+                "infinite": rows(samples=[{"kernel": 1e999}]), "no setting": rows(setting=None),
                 "a list": rows(fractal=["\x1b[31m"]), "digits": {"results/t-cuda.json": '{"rows": ' + "9" * 5000 + "}"},
                 "empty stats": {"results/nvidia-smi.txt": "", "results/seen-cuda.json": ""},
                 "other stats": {"results/nvidia-smi.txt": "", "results/seen-cuda.json": '{"device": []}'}}.items():

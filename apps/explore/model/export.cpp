@@ -21,6 +21,8 @@
 namespace mandelmarch::explore {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::uint64_t spare_memory = 256ULL << 20;  // bytes that a picture must leave free
 
 std::string lower(std::string text)
@@ -75,7 +77,7 @@ std::string free_name(const std::string& folder, const std::string& stem)
     for (int number = 1;; ++number) {
         std::string name = fmt::format("{}{}{}-{:03}", folder, folder.empty() ? "" : "/", stem, number);
         const std::array endings{".dat", ".png", ".json", ".mp4"};
-        if (std::ranges::none_of(endings, [&](auto ending) { return std::filesystem::exists(name + ending); }))
+        if (std::ranges::none_of(endings, [&](auto ending) { return fs::exists(fs::symlink_status(name + ending)); }))
             return name;
     }
 }
@@ -94,10 +96,14 @@ std::size_t append_place(const std::string& file, const Scene& scene)
         text = text_of_file(file, "places file");
         if (!text.ends_with('\n')) text += '\n';
     }
-    text += place_line(scene.eye, scene.target) + "\n";
-    const std::size_t count = places_from_text(text, file).all.size();
+    const std::string line = place_line(scene.eye, scene.target);
+    text += line + "\n";
+    const Places places = places_from_text(text, file);
+    if (place_line(places.all.back().eye, places.all.back().target) != line) {
+        throw InputError(fmt::format("{}: columns in another order, expected {}", file, places_header));
+    }
     write_file(file, text);
-    return count;
+    return places.all.size();
 }
 
 Scene read_view(const std::string& file, const Fractal& hint)

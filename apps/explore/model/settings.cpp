@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "core/base/environment.h"
 #include "core/base/input_file.h"
+#include "core/base/json.h"
 #include "core/base/output_file.h"
 #include "core/image/image.h"
 
@@ -30,7 +30,7 @@ Settings read_settings(const std::string& file, std::string& said)
     std::error_code none;
     if (file.empty() || !std::filesystem::exists(file, none)) return settings;
     try {
-        const Json json = Json::parse(own_file(file).value_or(""));
+        const Json json = parse_json<Json>(own_file(file).value_or(""), file);
         Settings read;
         read.width = std::max(json.value("width", read.width), 160);
         read.height = std::max(json.value("height", read.height), 160);
@@ -49,7 +49,7 @@ Settings read_settings(const std::string& file, std::string& said)
         read.panel = json.value("panel", read.panel);
         read.statistics = json.value("statistics", read.statistics);
         return read;
-    } catch (const Json::exception&) {
+    } catch (const std::exception&) {
         said = file + ": not a settings file, so the defaults are used";
         return settings;
     }

@@ -154,7 +154,7 @@ Image decode_bmp(std::span<const std::byte> data, const std::string& name)
     }
     // The header has the size of the file, which may have a colour profile behind its pixels. Some programs write 0.
     const std::size_t end = std::max<std::size_t>(get(data, 2, 4), pixels.start + stride * rows);
-    if (end < data.size()) refuse(fmt::format("{} bytes follow the picture", data.size() - end));
+    if (end < data.size()) refuse("it does not end where its picture ends");
     Image image(pixels.width, pixels.height, Image::Layers::bytes);
     std::uint8_t* to = image.bytes().data();
     const int bytes = pixels.bits / 8;

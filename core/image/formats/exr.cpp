@@ -35,7 +35,6 @@ constexpr std::array exr_colours{"R", "G", "B"};
 constexpr std::array exr_displayed{"displayed.R", "displayed.G", "displayed.B"};
 constexpr std::array exr_counts{"steps", "iterations"};
 constexpr const char* depth_name = "Z";
-constexpr const char* old_depth_name = "depth";  // used by old files, in which R, G and B are displayed values
 
 // Converts a displayed value to linear light by the sRGB curve (IEC 61966-2-1). displayed_of() converts it back.
 float light_of(float displayed)
@@ -63,7 +62,7 @@ struct Row {
     std::vector<std::uint32_t> steps, iterations;
 
     // Returns a frame buffer that maps every row of the file to the memory of this object.
-    Imf::FrameBuffer frame(const char* depth_channel)
+    Imf::FrameBuffer frame()
     {
         Imf::FrameBuffer buffer;
         const auto add = [&](const char* name, Imf::PixelType type, void* data) {
@@ -73,7 +72,7 @@ struct Row {
             add(exr_colours.at(c), Imf::FLOAT, light.at(c).data());
             add(exr_displayed.at(c), Imf::FLOAT, displayed.at(c).data());
         }
-        add(depth_channel, Imf::FLOAT, depth.data());
+        add(depth_name, Imf::FLOAT, depth.data());
         add(exr_counts[0], Imf::UINT, steps.data());
         add(exr_counts[1], Imf::UINT, iterations.data());
         return buffer;
@@ -121,7 +120,7 @@ void encode(Imf::OStream& stream, const Image& image)
     Imf::addChromaticities(header, Imf::Chromaticities());
     Imf::OutputFile output(stream, header, 0);
     Row row(image.width());
-    output.setFrameBuffer(row.frame(depth_name));
+    output.setFrameBuffer(row.frame());
     for (int line = 0; line < image.height(); ++line) {
         const int y = image.height() - 1 - line;
         const PixelValue* value = image.values().data() + static_cast<std::size_t>(y) * row.depth.size();
@@ -194,9 +193,8 @@ void check_attributes(std::span<const std::byte> data)
 
 // Channels of a file. R, G and B always exist.
 struct ExrChannels {
-    const char* depth = nullptr;  // name of the depth channel; nullptr: none
-    bool displayed = false;       // the layer of displayed colours exists
-    bool light = true;            // R, G and B are linear light; false for old files of this program
+    bool depth = false;
+    bool displayed = false;  // the layer of displayed colours exists
 };
 
 // Checks the file's header before OpenEXR allocates the memory that the header claims. Throws if the header is not
@@ -219,11 +217,7 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
     for (const char* channel : exr_colours) {
         if (!has(channel)) throw Error(fmt::format("it has no channel {}", channel));
     }
-    const ExrChannels found{.depth = has(depth_name)       ? depth_name
-                                     : has(old_depth_name) ? old_depth_name
-                                                           : nullptr,
-                            .displayed = std::ranges::all_of(exr_displayed, has),
-                            .light = has(depth_name) || !has(old_depth_name)};
+    const ExrChannels found{.depth = has(depth_name), .displayed = std::ranges::all_of(exr_displayed, has)};
     std::uint64_t bytes = 0;  // per pixel
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
         bytes += channel.channel().type == Imf::HALF ? 2 : 4;
@@ -244,7 +238,7 @@ ExrChannels check_header(std::span<const std::byte> data, const std::string& nam
                        .pixel_bits = 8 * bytes,
                        .most_bytes = most,
                        .decoder = 3 * block,  // encoded, decoded and an intermediate copy
-                       .layers = found.depth != nullptr ? Image::Layers::all : Image::Layers::colours});
+                       .layers = found.depth ? Image::Layers::all : Image::Layers::colours});
     if (block > usual_block + most) throw Error("its lines or tiles are too large for the file");
     return found;
 }
@@ -257,15 +251,14 @@ void put_row(const Row& row, const ExrChannels& channels, Image& image, int y)
     for (std::size_t x = 0; x < row.depth.size(); ++x) {
         std::array<float, 3> colour{};
         for (std::size_t c = 0; c < colour.size(); ++c) {
-            const float light = row.light.at(c)[x];
-            colour.at(c) = channels.displayed ? row.displayed.at(c)[x] : channels.light ? displayed_of(light) : light;
+            colour.at(c) = channels.displayed ? row.displayed.at(c)[x] : displayed_of(row.light.at(c)[x]);
             image.bytes()[3 * (at + x) + c] = byte(colour.at(c));
         }
         PixelValue& value = image.values()[at + x];
         value.red = colour[0];
         value.green = colour[1];
         value.blue = colour[2];
-        if (channels.depth == nullptr) continue;
+        if (!channels.depth) continue;
         value.depth = row.depth[x];
         value.steps = static_cast<std::int32_t>(row.steps[x]);
         value.iterations = static_cast<std::int32_t>(row.iterations[x]);
@@ -303,9 +296,9 @@ Image decode_exr(std::span<const std::byte> data, const std::string& name)
         Imf::InputFile input(stream, 0);
         const auto window = input.header().dataWindow();
         Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1,
-                    channels.depth != nullptr ? Image::Layers::all : Image::Layers::colours);
+                    channels.depth ? Image::Layers::all : Image::Layers::colours);
         Row row(image.width());
-        Imf::FrameBuffer buffer = row.frame(channels.depth != nullptr ? channels.depth : depth_name);
+        Imf::FrameBuffer buffer = row.frame();
         for (auto slice = buffer.begin(); slice != buffer.end(); ++slice) {
             slice.slice().base -= 4 * static_cast<std::ptrdiff_t>(window.min.x);
         }

@@ -56,7 +56,7 @@ public:
             }
         }
         while (text && at_ < data_.size() && is_blank()) ++at_;
-        if (at_ < data_.size()) refuse_pnm(name_, fmt::format("{} bytes follow the picture", data_.size() - at_));
+        if (at_ < data_.size()) refuse_pnm(name_, "it does not end where its picture ends");
         return image;
     }
 

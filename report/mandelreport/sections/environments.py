@@ -12,8 +12,8 @@ from .method import instructions
 
 
 def _told(what: Any, words: Callable[[Any], str]) -> str:
-    """Returns a measured value of the machine as text, or the reason why it is missing. `what` is None for results of
-    older builds of bench, which did not measure it."""
+    """Returns a measured value of the machine as text, or the reason why it is missing. `what` is None if the result does
+    not have it."""
     if what is None:
         return "not recorded"
     return f"missing: {what['missing']}" if "missing" in what else words(what)
@@ -54,7 +54,7 @@ def _machine(bench: Bench, host: str) -> list[str]:
     e = bench.environment
     cpu, build = e["cpu"], e["build"]
     return [
-        f"{cpu.get('platform', cpu['model'])}, {cpu['cores_usable']} of {cpu['cores']} threads",
+        f"{cpu['platform']}, {cpu['cores_usable']} of {cpu['cores']} threads",
         f"{cpu['megahertz']} MHz, {cpu['microcode']}",
         cpu["governor"] or "unknown",
         f"{e['memory']['total_bytes'] / 2**30:.1f} GiB",
