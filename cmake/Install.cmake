@@ -16,7 +16,7 @@ install(DIRECTORY looks DESTINATION ${CMAKE_INSTALL_DATADIR}/mandelmarch)
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # The schemas of bench's files, as `bench schema KIND` prints them.
 if(TARGET bench AND NOT CMAKE_CROSSCOMPILING)
-    foreach(kind result duel race random equivalence portability)
+    foreach(kind result random equivalence portability)
         set(schema ${CMAKE_CURRENT_BINARY_DIR}/schemas/${kind}.schema.json)
         install(CODE "
             execute_process(COMMAND \"$<TARGET_FILE:bench>\" schema ${kind} OUTPUT_FILE \"${schema}\" COMMAND_ERROR_IS_FATAL ANY)")

@@ -10,7 +10,7 @@ from .errors import InputError, output_of, reading
 
 
 # The kinds of files from which bench computes figures.
-OF_BENCH = ("mandelmarch-bench", "mandelmarch-bench-random", "mandelmarch-duel", "mandelmarch-race")
+OF_BENCH = ("mandelmarch-bench", "mandelmarch-bench-random")
 PROGRAMS = Path(__file__).parents[2] / "bin"
 
 

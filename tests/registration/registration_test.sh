@@ -6,7 +6,7 @@ bin=$1
 source=$2
 python=$3
 scene=(--fractal box "$source/paramsBox.dat" --size 48x40)
-race=(--backend skeleton --fractal box --precision float --mode exact --size 32x32 --repetitions 6)
+few=(--backend skeleton --fractal box --precision float --mode exact --size 32x32 --repetitions 6)
 
 test_lists() {
     expect 0 "$bin/render_with_skeleton" --help
@@ -17,7 +17,7 @@ test_lists() {
     prints '^openmp *0: '
     expect 2 "$bin/render" "${scene[@]}" --backend skeleton --output no.exr
     says skeleton
-    expect 2 "$bin/bench" "${race[@]}"
+    expect 2 "$bin/bench" "${few[@]}"
     says skeleton
 }
 
@@ -32,9 +32,9 @@ test_pictures() {
 
 # bench verifies and times the skeleton, and reports how it was built.
 test_bench() {
-    expect 0 "$bin/bench_with_skeleton" --list "${race[@]}"
+    expect 0 "$bin/bench_with_skeleton" --list "${few[@]}"
     prints '^mandelbox/float/exact/skeleton/0'
-    expect 0 "$bin/bench_with_skeleton" "${race[@]}" --json result.json
+    expect 0 "$bin/bench_with_skeleton" "${few[@]}" --json result.json
     "$python" - "$bin" <<'PY' || fail "the result"
 import json
 import subprocess
