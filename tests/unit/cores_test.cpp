@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <sched.h>
+#include <sys/resource.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -108,6 +109,22 @@ TEST(MemoryLeft, HasNoLimitWithoutGroups)
     EXPECT_EQ(memory_left_in_groups("/nowhere"), no_limit);
     EXPECT_GT(available_memory(), mebibyte);
     EXPECT_LT(available_memory(), 1ULL << 50) << "the memory of this machine is a limit";
+}
+
+TEST(Shortage, OfFilesIsNamed)
+{
+    EXPECT_NO_THROW(refuse_shortage("opening drivers"));
+    rlimit files{};
+    getrlimit(RLIMIT_NOFILE, &files);
+    const rlimit few{.rlim_cur = 8, .rlim_max = files.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &few);
+    try {
+        refuse_shortage("opening drivers");
+        ADD_FAILURE() << "eight files are enough";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "opening drivers: Too many open files");
+    }
+    setrlimit(RLIMIT_NOFILE, &files);
 }
 
 TEST(Quota, IsTheLeastOfAllGroupsAbove)

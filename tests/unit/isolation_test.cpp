@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -248,6 +249,20 @@ TEST_F(Isolation, ErrorsComeThroughAsTheyAre)
     EXPECT_EQ(thrown_by<InputError>(create(dislikes)), "--simd-width: the driver dislikes 3");
     EXPECT_NE(thrown_by<std::bad_alloc>(create(starves)), "");
     EXPECT_EQ(thrown_by<Error>(create(fails)), "backend made: Resource temporarily unavailable");
+}
+
+// A limit on the size of files, which is not a lack of memory, stops the shared memory of a picture.
+TEST_F(Isolation, MemoryThatCannotBeSharedIsAnErrorWithItsCause)
+{
+    const auto renderer = made(Where::nowhere)->create({.device = draws});
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit all{};
+    getrlimit(RLIMIT_FSIZE, &all);
+    const rlimit small{.rlim_cur = 64, .rlim_max = all.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string why = thrown_by<Error>([&] { drawn(*renderer); });
+    setrlimit(RLIMIT_FSIZE, &all);
+    EXPECT_NE(why.find("File too large"), std::string::npos) << why;
 }
 
 TEST_F(Isolation, AProcessThatEndsIsAnErrorThatSaysWhereAndHow)

@@ -96,6 +96,13 @@ TEST(BackendInfo, EveryBackendThatIsBuiltSaysHow)
     }
 }
 
+// A driver that is open in this process would hang in a process forked from it.
+TEST(ProgramBackends, AreRefusedAfterDriversWereOpenedHere)
+{
+    const Registry here = all_backends();
+    EXPECT_THROW(program_backends(0, nullptr), Error);
+}
+
 TEST(Automatic, TakesTheFirstAcceleratorWithAGpuElseTheHost)
 {
     const Made host("cores", {.role = Role::host});
