@@ -63,7 +63,7 @@ class OptionsTest(unittest.TestCase):
             other = list(words)
             if option in other:  # its value in `words` is replaced
                 del other[other.index(option) : other.index(option) + (2 if values.get(option) else 1)]
-            broken = option == "--force"
+            broken = option == "--force" and option in taken
             if broken not in plain:
                 plain[broken] = self.outcome(words, broken)
             found = self.outcome([*other, option, *filter(None, [values.get(option)])], broken)
