@@ -88,7 +88,7 @@ test_looks() {
     run 0 render path.json $small --look my.look --output film.mkv
     cmp -s film.mkv coral.mkv && fail "a film stays though its look file has changed"
     run 2 render path.json $small --look nowhere.look
-    says 'nowhere.look: cannot be read, expected a look file'
+    says 'nowhere.look: No such file or directory, expected a look file'
     run 2 render path.json $small --look 99
     says "look: '99' given, expected a whole number from 0 to [0-9]+$"
     echo 'haze 2' >my.look

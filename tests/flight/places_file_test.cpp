@@ -141,7 +141,7 @@ TEST(PlacesFile, EmptyFileHasNoHeaderAndAFolderCannotBeRead)
         return "";
     };
     EXPECT_TRUE(message("/dev/null").starts_with("/dev/null:1: the table is empty")) << message("/dev/null");
-    EXPECT_EQ(message("/"), "/: cannot be read, expected a places file");
+    EXPECT_EQ(message("/"), "/: Is a directory, expected a places file");
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ PY
     [ $? = 2 ] || fail "a place in the solid: $(tail -1 stderr)"
     says 'solid.csv:2: the camera cannot reach the location 0.3,0.2,0.1, inside the fractal; the nearest .* is [0-9.,-]+$'
     run 2 plan other.json --places missing.csv
-    says 'missing.csv: cannot be read'
+    says 'missing.csv: No such file'
     run 2 plan other.json --places places.csv --power 8:7 --backend openmp
     says 'places.csv: the shape changes in flight'
     run 2 render path.json --places places.csv
