@@ -4,8 +4,8 @@
 //
 // A program that takes the options of `render` and writes its statistics is run as
 //   PROGRAM scene.dat --fractal NAME --precision P --mode M --output FILE --stats FILE
-// so its times are those of its statistics, and its pictures have values (EXR) where the caller needs them. Any other
-// program is foreign. It is run as PROGRAM scene.dat, must write the picture that scene.dat names (image.bmp), and is
+// so its times are those of its statistics, and its pictures in float have values (EXR) where the caller needs them. Any
+// other program is foreign. It is run as PROGRAM scene.dat, must write the picture that scene.dat names (image.bmp), and is
 // timed as a whole process.
 #include <fmt/format.h>
 
@@ -141,7 +141,9 @@ Drawn drawn(const Command& command, Scene scene, const RendererOptions& options,
         made.stats.timings.wall = ended.seconds;
         return made;
     }
-    const std::string file = layers == Image::Layers::all ? "image.exr" : scene.image_file;
+    // An EXR file holds values in float.
+    const bool values = layers == Image::Layers::all && options.precision == Precision::f32;
+    const std::string file = values ? "image.exr" : scene.image_file;
     for (const std::string& word :
          {std::string("--fractal"), std::string(scene.fractal->name), std::string("--precision"),
           std::string(name_of(options.precision)), std::string("--mode"), std::string(name_of(options.mode)),
