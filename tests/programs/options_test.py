@@ -22,7 +22,7 @@ PLACES = "location_x,location_y,location_z,look_at_x,look_at_y,look_at_z,second,
 VALUES = {
     "--authors": "a", "--backend": "reference", "--chapter": "passages", "--device": "9", "--estimate": "original",
     "--every": "2", "--eyes": "0.1", "--fps": "25", "--fractal": "box", "--frames": "3", "--from": "0.05", "--json": "audit.json",
-    "--look": "lagoon", "--map": "map.json", "--mode": "exact", "--output": "other.mkv", "--params": f"{SOURCE}/paramsBulb.dat",
+    "--look": "lagoon", "--map": "map.json", "--mode": "exact", "--output": "other.mkv", "--params": "changed.dat",
     "--pixel": "5,6", "--places": "places.csv", "--power": "7", "--precision": "double", "--projection": "equirectangular",
     "--region": "0,0,8,8", "--samples": "2", "--scale": "2", "--seed": "2", "--segments": "0-0", "--simd-width": "1",
     "--size": "48x32", "--stats": "other.json", "--still-format": "jpeg", "--stills": "stills", "--summary": "summary.json",
@@ -48,6 +48,8 @@ class OptionsTest(unittest.TestCase):
             frames = [{"location": [4 + 0.02 * i, 3, 3 + (i == 7 and broken)], **FRAME} for i in range(20)]
             Path(folder, "path.json").write_text(json.dumps(PATH | {"frames": frames}), encoding="utf-8")
             Path(folder, "places.csv").write_text(PLACES, encoding="utf-8")
+            official = Path(SOURCE, "paramsBulb.dat").read_text(encoding="utf-8")
+            Path(folder, "changed.dat").write_text(official.replace("0 4.0 8.0", "0 4.0 7.0"), encoding="utf-8")
             done = run(folder, *words)
             files = {path.relative_to(folder): path.read_bytes() for path in Path(folder).rglob("*") if path.is_file()}
             for name in files:
@@ -63,7 +65,7 @@ class OptionsTest(unittest.TestCase):
             other = list(words)
             if option in other:  # its value in `words` is replaced
                 del other[other.index(option) : other.index(option) + (2 if values.get(option) else 1)]
-            broken = option == "--force"
+            broken = option == "--force" and option in taken
             if broken not in plain:
                 plain[broken] = self.outcome(words, broken)
             found = self.outcome([*other, option, *filter(None, [values.get(option)])], broken)
@@ -87,7 +89,7 @@ class OptionsTest(unittest.TestCase):
                 self.assertEqual(own, (options_of("flythrough", "plan") | options_of("flythrough", "render")) - {"--force"})
                 unseen = own
             if command in ("plan", "audit"):  # these change how many pixels are off, which are none in such small pictures
-                unseen |= {"--look", "--precision", "--projection", "--samples"}
+                unseen |= {"--look", "--precision", "--projection", "--samples", "--size"}
             self.check(["flythrough", command, *words, *small], every - (own & unseen), own, VALUES)
 
     def test_render(self):
