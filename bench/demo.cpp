@@ -49,7 +49,7 @@ public:
             fmt::format("{}-{}{}-{}-{}.png", row.fractal, row.backend, row.setting.simd_width == 1 ? "-1" : "",
                         name_of(row.precision), name_of(row.mode));
         try {
-            write_image(fmt::format("{}/{}", path_, file), ImageFormat::png, image);
+            write_image(fmt::format("{}/{}", path_, file), ImageFormat::png, image, NamedBy::program);
             pictures_[row.name()] = file;
         } catch (const Error& error) {
             fault_ = error.what();
@@ -93,7 +93,8 @@ public:
             });
         }
         // A driver's name is not always valid UTF-8.
-        write_file(path_ + "/demo.json", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+        write_file(path_ + "/demo.json", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
+                   NamedBy::program);
     }
 
 private:

@@ -4,17 +4,20 @@
 //
 // A program that takes the options of `render` and writes its statistics is run as
 //   PROGRAM scene.dat --fractal NAME --precision P --mode M --output FILE --stats FILE
-// so its times are those of its statistics, and its pictures have values (EXR) where the caller needs them. Any other
-// program is foreign. It is run as PROGRAM scene.dat, must write the picture that scene.dat names (image.bmp), and is
-// timed as a whole process.
+// so its times are those of its statistics, and its pictures in float have values (EXR) where the caller needs them.
+// Any other program is foreign. It is run as PROGRAM scene.dat, must write the picture that scene.dat names
+// (image.bmp), and is timed as a whole process.
 #include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include <cstring>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
-#include <unistd.h>
 
 #include "core/base/child_process.h"
 #include "core/base/error.h"
@@ -58,10 +61,47 @@ std::string last_line(std::string text)
     return text.substr(text.rfind('\n') + 1);
 }
 
+// Ends the processes that a program leaves behind, also those of other sessions. When their parents end, they become
+// children of this process.
+class Leftovers {
+public:
+    Leftovers() { prctl(PR_SET_CHILD_SUBREAPER, 1); }
+    ~Leftovers()
+    {
+        for (bool found = true; found;) {
+            found = false;
+            for (const pid_t one : children()) {
+                if (before_.contains(one)) continue;
+                found = true;
+                kill(one, SIGKILL);
+                waitpid(one, nullptr, 0);
+            }
+        }
+    }
+    Leftovers(const Leftovers&) = delete;
+    Leftovers& operator=(const Leftovers&) = delete;
+
+private:
+    // Returns this process's children; empty if the system does not list them.
+    static std::set<pid_t> children()
+    {
+        std::set<pid_t> all;
+        std::error_code none;
+        for (const auto& task : fs::directory_iterator("/proc/self/task", none)) {
+            std::ifstream list(task.path() / "children");
+            for (pid_t one = 0; list >> one;) all.insert(one);
+        }
+        return all;
+    }
+
+    std::set<pid_t> before_ = children();
+};
+
 // Runs the command in the folder. Throws Error, which says how the program ended and what it said last.
 Ended run(const Command& command, std::vector<std::string> words, const fs::path& folder, double limit)
 {
     const MemoryFile complaints;
+    const Leftovers leftovers;
     const Ended ended = ChildProcess({.words = words,
                                       .program = words[0],
                                       .folder = folder.string(),
@@ -141,7 +181,9 @@ Drawn drawn(const Command& command, Scene scene, const RendererOptions& options,
         made.stats.timings.wall = ended.seconds;
         return made;
     }
-    const std::string file = layers == Image::Layers::all ? "image.exr" : scene.image_file;
+    // An EXR file holds values in float.
+    const bool values = layers == Image::Layers::all && options.precision == Precision::f32;
+    const std::string file = values ? "image.exr" : scene.image_file;
     for (const std::string& word :
          {std::string("--fractal"), std::string(scene.fractal->name), std::string("--precision"),
           std::string(name_of(options.precision)), std::string("--mode"), std::string(name_of(options.mode)),

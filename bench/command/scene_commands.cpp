@@ -48,7 +48,7 @@ void show(const Discrepancy& d, const std::string& folder)
     if (!folder.empty()) {
         const std::string file = (fs::path(folder) / (d.scene + ".dat")).string();
         fs::create_directories(folder);
-        write_file(file, d.parameters);
+        write_file(file, d.parameters, NamedBy::program);
         parameters = file + "\n";
     }
     say("bench: {}: {}: {}\n{}", d.scene, d.subject, d.what, parameters);

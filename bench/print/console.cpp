@@ -31,10 +31,25 @@ std::optional<double> ratio_of(const std::optional<Quotient>& quotient)
 
 std::string of(const std::optional<double>& value, double unit) { return value ? digits(unit * *value) : "-"; }
 
-std::string head(const Row& row)
+// Returns the row's application, short enough for a column. An application such as program:./mine is called by the
+// place of its row among those of its kind: program[1]; devices() has the whole name.
+std::string short_application(const Result& result, const Row& row)
+{
+    const auto colon = row.application.find(':');
+    if (colon == std::string::npos) return row.application;
+    std::set<std::string> before;
+    std::size_t place = 0;
+    for (const Row& other : result.rows) {
+        if (!other.application.starts_with(row.application.substr(0, colon + 1))) continue;
+        if (before.insert(other.application).second && other.application == row.application) place = before.size();
+    }
+    return fmt::format("{}[{}]", row.application.substr(0, colon), place);
+}
+
+std::string head(const Result& result, const Row& row)
 {
     return fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", short_name(row.fractal), name_of(row.precision),
-                       name_of(row.mode), row.application, row.device);
+                       name_of(row.mode), short_application(result, row), row.device);
 }
 
 // Returns the table of configurations. In a sweep it has a column with the sweep value instead of the share of peak and
@@ -58,14 +73,14 @@ std::string main_table(const Result& result, bool sweep)
                                              : fmt::format("FAILED: {}", row.failure),
                          "");
         } else if (!row.unavailable.empty()) {
-            text += line(head(row), row.sweep_value, fmt::format("unavailable: {}", row.unavailable), "");
+            text += line(head(result, row), row.sweep_value, fmt::format("unavailable: {}", row.unavailable), "");
         } else if (!row.timed()) {
             const std::string_view why = row.failure.empty() ? std::string_view("no sample") : row.failure;
-            text += line(head(row), row.sweep_value, fmt::format("FAILED: {}", why), "");
+            text += line(head(result, row), row.sweep_value, fmt::format("FAILED: {}", why), "");
         } else {
             const Figures& f = *row.figures;
             text +=
-                line(head(row), row.sweep_value,
+                line(head(result, row), row.sweep_value,
                      fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", row.verification.text,
                                  digits(1e3 * f.kernel.median), interval_text(f.kernel.interval, f.kernel.count, 1e3),
                                  digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate), of(f.operation_rate, 1e-9)),
@@ -111,7 +126,9 @@ std::string devices(const Result& result)
     std::string text;
     for (const Row& row : result.rows) {
         if (row.device_name.empty() || !told.insert(fmt::format("{} {}", row.backend, row.device)).second) continue;
-        text += clipped(fmt::format("{} {}: {} ({})", row.backend, row.device, row.device_name, row.driver),
+        const bool is_short = row.backend.find(':') == std::string::npos;
+        text += clipped(fmt::format("{} {}: {}{} ({})", is_short ? row.backend : short_application(result, row),
+                                    row.device, is_short ? "" : row.backend + ", ", row.device_name, row.driver),
                         console_columns) +
                 "\n";
     }
@@ -135,7 +152,8 @@ std::string incomplete_parts(const Result& result)
     for (const Row& row : result.rows) {
         if (!row.timed()) continue;
         const auto share = row.figures->unaccounted;
-        if (share && *share > little) text += fmt::format("{}{} {}\n", head(row), row.sweep_value, percent(share));
+        if (share && *share > little)
+            text += fmt::format("{}{} {}\n", head(result, row), row.sweep_value, percent(share));
     }
     if (text.empty()) return {};
     return fmt::format("\nOf these rows' wall time, upload, host and readback leave more than {}\n{}", percent(little),
@@ -166,8 +184,8 @@ std::string speed_ups(const Result& result)
         if (!row.timed()) continue;
         const Figures& f = *row.figures;
         if (f.speed_up || f.over_scalar) {
-            text +=
-                fmt::format("{} {} {}{}\n", head(row), cells(f.speed_up), cells(f.over_scalar), point_of(result, row));
+            text += fmt::format("{} {} {}{}\n", head(result, row), cells(f.speed_up), cells(f.over_scalar),
+                                point_of(result, row));
         }
     }
     if (text.empty()) return {};
@@ -190,7 +208,7 @@ std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, 
         const Row& row = result.row(ratio.denominator);
         text += fmt::format(
             fmt::runtime(line), fractal ? short_name(row.fractal) : name_of(row.precision), name_of(row.mode),
-            row.application, row.device, ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-",
+            short_application(result, row), row.device, ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-",
             interval_text(ratio.ratio.interval, ratio.ratio.count), ratio.ratio.count, point_of(result, row));
     }
     return text;
