@@ -2,7 +2,6 @@
 // The kinds of files that bench writes: their JSON Schemas and their derived figures, both from the descriptions of
 // their records (bench/files/fields.h).
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -178,19 +177,6 @@ Json derived_json(const std::string& path)
     return kind->derived(json, path);
 }
 
-// Formats a schema with one line for each property.
-std::string compact(const Json& json, const std::string& key = "", const std::string& indent = "")
-{
-    std::string line = json.dump();
-    const bool members = key == "properties" || key == "$defs" || line.find("\"properties\":") != std::string::npos;
-    if (!json.is_object() || !members) return line;
-    std::vector<std::string> lines;
-    for (const auto& [name, value] : json.items()) {
-        lines.push_back(fmt::format("{} {}: {}", indent, Json(name).dump(), compact(value, name, indent + " ")));
-    }
-    return fmt::format("{{\n{}\n{}}}", fmt::join(lines, ",\n"), indent);
-}
-
 }  // namespace
 
 Run schema_command(CLI::App& app, Registry& /*registry*/)
@@ -200,7 +186,7 @@ Run schema_command(CLI::App& app, Registry& /*registry*/)
     for (const Kind& kind : kinds) names.emplace_back(kind.name);
     app.add_option("KIND", *name, "kind of file")->required()->check(CLI::IsMember(names));
     return [name]() -> int {
-        print("{}\n", compact(schema_json(*std::ranges::find(kinds, std::string_view(*name), &Kind::name))));
+        print(std::string_view(text_of(schema_json(*std::ranges::find(kinds, std::string_view(*name), &Kind::name)))));
         return exit_success;
     };
 }

@@ -36,7 +36,7 @@ Record record_of(const Json& json, const std::string& name, const Check& check)
 {
     constexpr Format format = format_of<Record>;
     try {
-        if (schema_in(json) != format.schema) throw Refusal{"", fmt::format("no file of {}", format.schema)};
+        if (schema_in(json) != format.schema) throw Refusal{"", fmt::format("not a file of {}", format.schema)};
         if (const Json version = json.value("version", Json()); version != format.version) {
             throw Refusal{"", fmt::format("version {} of the format, expected {}", printable(version.dump(), 80),
                                           format.version)};

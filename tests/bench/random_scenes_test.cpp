@@ -11,6 +11,7 @@
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
 #include "core/base/error.h"
+#include "core/image/compare.h"
 #include "core/scene/fractal.h"
 #include "tests/bench/broken_backend.h"
 #include "tests/scenes.h"
