@@ -15,16 +15,9 @@ job::Chains* chains(std::string_view precision);
 
 namespace {
 
-#ifdef MANDELMARCH_OPENACC_AMD
-// Untested: gcc's offload compiler builds the kernels, but they were never run.
-constexpr acc_device_t gpu = acc_device_radeon;
-constexpr const char* gpu_code = "GCN";
-constexpr const char* gpu_kind = "AMD GPU";
-#else
 constexpr acc_device_t gpu = acc_device_nvidia;
 constexpr const char* gpu_code = "PTX for sm_35";
 constexpr const char* gpu_kind = "NVIDIA GPU";
-#endif
 
 // Pixels per band on the host, where bands serve only to report progress.
 constexpr std::int64_t host_band = 1 << 13;

@@ -3,14 +3,9 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <linux/perf_event.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -25,13 +20,6 @@ namespace mandelmarch::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::pair<const char*, std::uint64_t>, 5> events{
-    {{"cycles", PERF_COUNT_HW_CPU_CYCLES},
-     {"instructions", PERF_COUNT_HW_INSTRUCTIONS},
-     {"cache_references", PERF_COUNT_HW_CACHE_REFERENCES},
-     {"cache_misses", PERF_COUNT_HW_CACHE_MISSES},
-     {"branch_misses", PERF_COUNT_HW_BRANCH_MISSES}}};
 
 double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -136,27 +124,11 @@ GpuReadings gpu_readings(const std::string& library)
     return found;
 }
 
-// Opens a counter of this event, in user space, for `thread` and for all threads and processes that it starts from now
-// on. Returns the counter's descriptor, or a value below 0 on failure.
-int open_counter(std::uint64_t event, int thread)
-{
-    perf_event_attr attributes{};
-    attributes.type = PERF_TYPE_HARDWARE;
-    attributes.size = sizeof(attributes);
-    attributes.config = event;
-    attributes.inherit = 1;
-    attributes.exclude_kernel = 1;
-    attributes.exclude_hv = 1;
-    attributes.read_format = PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
-    return static_cast<int>(syscall(SYS_perf_event_open, &attributes, thread, -1, -1, PERF_FLAG_FD_CLOEXEC));
-}
-
 }  // namespace
 
 Telemetry::Telemetry(TelemetrySources sources) : sources_(std::move(sources)), start_(now())
 {
     look_for_domains();
-    open_counters();
     for (const GpuReading& gpu : gpu_readings(sources_.nvml).gpus) gpu_joules_.push_back(gpu.joules);
 }
 
@@ -186,23 +158,6 @@ void Telemetry::look_for_domains()
     if (folders.empty()) no_energy_ = fmt::format("{} has no domain of RAPL", sources_.powercap.string());
 }
 
-void Telemetry::open_counters()
-{
-    for (const auto& [name, event] : events) {
-        Counter counter{.name = name, .descriptors = {}, .missing = {}};
-        std::error_code error;
-        for (const auto& entry : fs::directory_iterator("/proc/self/task", error)) {
-            Descriptor descriptor(open_counter(event, std::atoi(entry.path().filename().c_str())));
-            if (descriptor.number() >= 0) {
-                counter.descriptors.push_back(std::move(descriptor));
-            } else {
-                counter.missing = std::strerror(errno);
-            }
-        }
-        counters_.push_back(std::move(counter));
-    }
-}
-
 Json Telemetry::energy() const
 {
     Json domains = Json::array();
@@ -216,37 +171,6 @@ Json Telemetry::energy() const
     return {{"seconds", now() - start_}, {"domains", domains}};
 }
 
-Json Telemetry::counters() const
-{
-    Json found = Json::object();
-    bool any = false;
-    std::string why;
-    for (const Counter& counter : counters_) {
-        found[counter.name] = Json();
-        if (!counter.missing.empty()) {
-            why = fmt::format("perf_event_open: {}", counter.missing);
-            continue;
-        }
-        double sum = 0;
-        bool counted = false;
-        for (const Descriptor& descriptor : counter.descriptors) {
-            struct {
-                std::uint64_t value, enabled, running;
-            } told{};
-            if (read(descriptor.number(), &told, sizeof(told)) != sizeof(told) || told.running == 0) continue;
-            // If there are more events than hardware counters, an event is counted during a fraction of the time only.
-            // The value is scaled up to the whole time.
-            sum +=
-                static_cast<double>(told.value) * static_cast<double>(told.enabled) / static_cast<double>(told.running);
-            counted = true;
-        }
-        if (counted) found[counter.name] = sum;
-        if (!counted) why = "perf counted nothing";
-        any = any || counted;
-    }
-    return any ? found : missing(why);
-}
-
 Json Telemetry::since_start() const
 {
     GpuReadings readings = gpu_readings(sources_.nvml);
@@ -256,7 +180,6 @@ Json Telemetry::since_start() const
         joules = joules && start ? std::optional(*joules - *start) : std::nullopt;
     }
     return {{"energy", energy()},
-            {"counters", counters()},
             {"gpus", readings.missing.empty() ? to_json(readings.gpus, Form::facts) : missing(readings.missing)}};
 }
 

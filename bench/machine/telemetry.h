@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensor readings during the measurement: energy, processor counters, clock frequencies and throttling of GPUs.
+// Sensor readings during the measurement: energy, clock frequencies and throttling of GPUs.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/base/descriptor.h"
 
 namespace mandelmarch::bench {
 
@@ -24,10 +22,8 @@ class Telemetry {
 public:
     explicit Telemetry(TelemetrySources sources = {});
 
-    // Returns {"energy", "counters", "gpus"}; each is {"missing": why} or
+    // Returns {"energy", "gpus"}; each is {"missing": why} or
     //   energy: {"seconds", "domains": [{"name", "joules"}]}, from RAPL, for all processors of the machine
-    //   counters: {"cycles", "instructions", ...}, from perf, for the threads of this process and all threads and
-    //     processes that they start; each may be null
     //   gpus: a list of readings (bench/files/gpu_reading.h) from NVML, each for the whole GPU. joules: energy since
     //     construction; all other values are current.
     nlohmann::ordered_json since_start() const;
@@ -38,21 +34,13 @@ private:
         std::filesystem::path file;
         double start = 0, range = 0;  // microjoules; the reading wraps around to 0 after `range`
     };
-    struct Counter {
-        std::string name;
-        std::vector<Descriptor> descriptors;  // one for each thread of this process
-        std::string missing;
-    };
     void look_for_domains();
-    void open_counters();
     nlohmann::ordered_json energy() const;
-    nlohmann::ordered_json counters() const;
 
     TelemetrySources sources_;
     double start_ = 0;  // seconds, steady clock
     std::vector<Domain> domains_;
     std::string no_energy_;
-    std::vector<Counter> counters_;
     std::vector<std::optional<double>> gpu_joules_;  // at the start
 };
 

@@ -25,12 +25,10 @@ def _gpu(gpu: dict[str, Any]) -> str:
 
 
 def _telemetry(environment: dict[str, Any]) -> list[str]:
-    """Returns the readings of energy, of the counters, and of the GPUs."""
+    """Returns the readings of energy and of the GPUs."""
     told = environment.get("telemetry", {})
-    counted = ("cycles", "instructions", "cache_misses", "branch_misses")
     return [
         _told(told.get("energy"), lambda e: ", ".join(f"{d['name']} {d['joules']:.0f} J" for d in e["domains"]) + f" in {e['seconds']:.0f} s"),
-        _told(told.get("counters"), lambda c: ", ".join(f"{k} {c[k]:.3g}" for k in counted if c[k] is not None)),
         _told(told.get("gpus"), lambda gpus: "; ".join(_gpu(gpu) for gpu in gpus) if isinstance(gpus, list) else "–"),
     ]
 
@@ -98,9 +96,9 @@ def _tables(material: Material) -> list[Table]:
             "Machines and builds.",
         ),
         Table(
-            ["results", "energy", "counters", "GPUs"],
+            ["results", "energy", "GPUs"],
             _grouped((letter, _telemetry(bench.environment)) for letter, bench in benches),
-            "Energy, counters and clocks during the first run.",
+            "Energy and clocks during the first run.",
         ),
         Table(
             ["results", "backend", "compiler", "flags, exact", "flags, fast", "devices and drivers"],
