@@ -161,18 +161,6 @@ TEST(ExplorePaths, SmoothingKeepsThePromisesThatTheHandBreaks)
     EXPECT_LT(length(smooth.frames.back().eye - path.frames.back().eye), 0.5);
 }
 
-TEST(ExplorePaths, ACameraThatIsPutElsewhereDrawsItsNeighboursAlong)
-{
-    const Path path = unsteady();
-    Frame frame = path.frames[100];
-    frame.eye = frame.eye + Vector{0, 1, 0};
-    frame.target = frame.target + Vector{0, 1, 0};
-    const Path after = bent(path, 100, frame);
-    EXPECT_NEAR(after.frames[100].eye.y, path.frames[100].eye.y + 1, 1e-6);
-    EXPECT_GT(after.frames[110].eye.y, path.frames[110].eye.y + 0.5);
-    EXPECT_NEAR(after.frames[0].eye.y, path.frames[0].eye.y, 1e-6);
-}
-
 TEST(ExplorePaths, ARecordingHasThirtyFramesASecond)
 {
     Scene scene = official("bulb");

@@ -248,8 +248,6 @@ constexpr std::array table{
     Action{"second-back", "PageUp", "one second back", step<-30>, over_pictures},
     Action{"second-forwards", "PageDown", "one second forwards", step<30>, over_pictures},
     Action{"next-broken", "N", "go to the next broken promise or missed threshold", next_broken, over_pictures},
-    Action{"camera-here", "K", "move the path's camera here",
-           [](Model& m, Desktop&) { m.path_editor.put_camera(m.view.scene()); }, over_pictures},
     Action{"cut-before", "", "remove the path's frames before this one",
            [](Model& m, Desktop&) { m.path_editor.cut_before(); }},
     Action{"cut-after", "", "remove the path's frames after this one",

@@ -132,12 +132,6 @@ void PathEditor::cut_after()
     changed();
 }
 
-void PathEditor::put_camera(const Scene& scene)
-{
-    if (!has_path()) return;
-    take(bent(path_, static_cast<std::size_t>(std::lround(at_)), frame_of(path_, scene)));
-}
-
 void PathEditor::plan(const Scene& scene, std::uint64_t seed, int frame_count)
 {
     if (planning_.running()) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The path editor: records, opens, plans, plays, edits and audits a path, and renders it as a film.
+// The path editor: records, opens, plans, plays, cuts and audits a path, and renders it as a film.
 #pragma once
 
 #include <optional>
@@ -43,9 +43,6 @@ public:
     // Removes the frames before the position. cut_after() removes the frames after the position.
     void cut_before();
     void cut_after();
-    // Replaces the path's camera at the position by the scene's camera. The cameras of the frames before and after it
-    // move, too, as bent() in smooth.h describes.
-    void put_camera(const Scene& scene);
 
     // Starts to plan a tour of the scene's fractal in the background. film() starts to render the path as a film in the
     // background. take_news() reports the end of this work.

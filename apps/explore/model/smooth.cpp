@@ -19,7 +19,6 @@ constexpr double most_step = 0.85;  // largest step between frames, as a fractio
 constexpr double most_turn = 1.0;   // degrees per frame; largest turn. The audit's limit is 1.2
 constexpr int retimings = 4;        // number of passes that reduce steps and turns
 constexpr int easing = 12;          // frames over which the flight slows down and speeds up
-constexpr int bend = 45;            // frames on either side of a moved camera that move with it
 
 struct Look {
     Vector eye, forward, up;
@@ -157,24 +156,6 @@ Path smoothed(const Path& path)
     slow_down(smooth);
     cut_digits(smooth);
     return smooth;
-}
-
-Path bent(Path path, std::size_t at, const Frame& frame)
-{
-    const Look now = look_of(path.frames.at(at));
-    const Look wanted = look_of(frame);
-    for (std::size_t i = at < bend ? 0 : at - bend; i < std::min(path.frames.size(), at + bend + 1); ++i) {
-        const double off = (static_cast<double>(i) - static_cast<double>(at)) / (bend + 1);
-        const double w = (1 - off * off) * (1 - off * off);  // 1 at the moved camera; 0, with slope 0, at both ends
-        Look look = look_of(path.frames[i]);
-        look.eye = look.eye + w * (wanted.eye - now.eye);
-        look.forward = look.forward + w * (wanted.forward - now.forward);
-        look.up = look.up + w * (wanted.up - now.up);
-        set_look(path.frames[i], look);
-    }
-    path.frames[at].field_of_view = frame.field_of_view;
-    cut_digits(path);
-    return path;
 }
 
 }  // namespace mandelmarch::explore

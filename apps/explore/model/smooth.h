@@ -14,8 +14,4 @@ Frame between(const Frame& a, const Frame& b, double share);
 // or a turn would come close to the audit's limit, frames are added, which makes the flight slower.
 Path smoothed(const Path& path);
 
-// Returns the path with the camera of `frame` at frame number `at`. The cameras of 45 frames on either side move in the
-// same direction, but less with increasing distance from that frame.
-Path bent(Path path, std::size_t at, const Frame& frame);
-
 }  // namespace mandelmarch::explore

@@ -71,7 +71,7 @@ void show_paths(Model& model, Desktop& desktop, float left)
         show_buttons(
             model, desktop,
             {{"play-or-stop", path_editor.playing ? "stop" : "play"}, {"next-broken"}, {"audit-all"}, {"smooth"}});
-        show_buttons(model, desktop, {{"cut-before"}, {"cut-after"}, {"camera-here"}});
+        show_buttons(model, desktop, {{"cut-before"}, {"cut-after"}});
         show_buttons(model, desktop, {{"save-path"}, {"film"}});
     }
     number_field("seed", model.tour_seed, 0, std::numeric_limits<int>::max());
