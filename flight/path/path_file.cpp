@@ -24,8 +24,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* format_name = "mandelmarch path 1";
-constexpr std::size_t most_frames = 10'000'000;                 // 92 hours at 30 frames per second
-constexpr std::size_t largest_file = std::size_t{4} << 30;      // bytes; more than so many frames need
+constexpr std::size_t most_frames = 10'000'000;             // 92 hours at 30 frames per second
+constexpr std::size_t largest_file = std::size_t{4} << 30;  // bytes; more than so many frames need
 constexpr const char* by_size = "by size";
 constexpr double usual_detail = -3;  // value of scene.detail if the detail level follows from the picture size
 constexpr ParameterInfo detail_meaning{"detail level", -37, 3};

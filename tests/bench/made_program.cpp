@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// made_program FILE.dat: a serial program that renders the Mandelbox, for tests of the backend `program`. The environment
-// variable MADE_FAULT selects a fault: nearly, wrong, size, silent, elsewhere, text, fails, crashes, hangs, or forks
-// (and hangs). If it is not set, the program has no fault.
+// made_program FILE.dat: a serial program that renders the Mandelbox, for tests of the backend `program`. The
+// environment variable MADE_FAULT selects a fault: nearly, wrong, size, silent, elsewhere, text, fails, crashes, hangs,
+// or forks (and hangs). If it is not set, the program has no fault.
 #include <unistd.h>
 
 #include <csignal>

@@ -9,7 +9,7 @@ corpus=$3/$5
 seconds=$4
 seeds=$(mktemp -d)
 trap 'rm -rf "$seeds"' EXIT
-cp "$source"/params*.dat "$source"/tests/fuzz/result.json "$source"/looks/*.look "$source"/views/*.csv "$seeds"/
+cp "$source"/params*.dat "$source"/tests/fuzz/result.json "$source"/scenes/*.look "$source"/scenes/*.csv "$seeds"/
 for schedule in 2 2:2.5 0s=2,60s=2.5 p8 p8:5 p0s=8,60s=5,120s=8; do echo -n "$schedule" >"$seeds/$schedule"; done
 printf 'P2 # grey\n3 1 7\n0 3 7\n' >"$seeds/grey.pgm"
 for format in bmp png exr ppm; do

@@ -55,7 +55,7 @@ PY
 # the backends that it names. Negative control: a preset that lists what it takes leaves out the added backend.
 test_presets() {
     local list='^    reference$'
-    tar -C "$source" --exclude=./build --exclude=./.git --exclude=./report/results -c . | tar x
+    tar -C "$source" --exclude=./build --exclude=./.git --exclude=./results -c . | tar x
     sed -i "s/$list/    added\n&/" backends/CMakeLists.txt
     mkdir backends/added
     echo 'add_library(mandelmarch_added STATIC added.cpp)' >backends/added/CMakeLists.txt
