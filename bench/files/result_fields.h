@@ -287,6 +287,7 @@ inline constexpr auto fields_of<Result> =
                 field("study", &Result::study, "", rules::required),
                 field("seed", &Result::seed),
                 field("runs", &Result::runs, "", {.about = "Number of runs (processes) that left samples."}),
+                field("moved_eye", &Result::moved_eye, "", {.about = "Each round had other views (--move-eye)."}),
                 field("environment", &Result::environment),
                 field("warnings", &Result::warnings),
                 field("peaks", &Result::peaks),

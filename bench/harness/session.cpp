@@ -81,7 +81,8 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const Telemetry telemetry;
     const bool foreign = std::ranges::any_of(live, [](const TimedCase& c) { return c.one->backend->info().foreign; });
     MovingEye eye(registry);
-    run_rounds(live, rules, phase, options.move_eye || foreign ? &eye : nullptr);
+    result.moved_eye = options.move_eye || foreign;
+    run_rounds(live, rules, phase, result.moved_eye ? &eye : nullptr);
     const nlohmann::ordered_json told = telemetry.since_start();
     // Measure the peaks again. If the machine was slower before the rounds, the first peaks are too low, and the shares
     // of peak would be too high.

@@ -178,7 +178,8 @@ struct Questions {
 struct Result {
     std::string study;
     std::uint64_t seed = 0;
-    int runs = 1;  // number of runs that left samples
+    int runs = 1;            // number of runs that left samples
+    bool moved_eye = false;  // each round had other views (bench/harness/moving_eye.h)
     nlohmann::ordered_json environment = nlohmann::ordered_json::object();
     std::vector<std::string> warnings;
     std::vector<Peak> peaks;

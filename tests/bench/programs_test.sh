@@ -61,6 +61,7 @@ import json
 right, faults = (json.load(open(name + ".json"))["rows"] for name in ("right", "faults"))
 for row in right:
     assert row["samples"], row
+assert json.load(open("right.json"))["moved_eye"]
 for row in faults:
     assert bool(row["samples"]) == (not row["backend"].startswith("program:")), row
 PY
