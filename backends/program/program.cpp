@@ -20,8 +20,11 @@
 #include <sstream>
 
 #include "core/base/child_process.h"
+#include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/input_file.h"
+#include "core/base/json.h"
 #include "core/base/output_file.h"
 #include "core/base/text.h"
 #include "core/image/formats/image_file.h"
@@ -102,12 +105,10 @@ Ended run(const Command& command, std::vector<std::string> words, const fs::path
 {
     const MemoryFile complaints;
     const Leftovers leftovers;
-    const Ended ended = ChildProcess({.words = words,
-                                      .program = words[0],
-                                      .folder = folder.string(),
-                                      .errors = complaints.number(),
-                                      .confined = true})
-                            .end(limit);
+    const Ended ended =
+        ChildProcess(
+            {.words = std::move(words), .folder = folder.string(), .errors = complaints.number(), .confined = true})
+            .end(limit);
     if (ended.code == exit_success && !ended.timed_out) return ended;
     const std::string said = last_line(complaints.text(most_complaints));
     throw Error(fmt::format(
@@ -137,32 +138,49 @@ Image picture_in(const Command& command, const fs::path& folder, const std::stri
     return image;
 }
 
-RenderStats stats_in(const fs::path& folder, const RendererOptions& options)
+// Returns a number of the statistics. Throws Error if it is not from `least` to 2^53.
+double number(const Json& json, const char* key, double least = 0)
 {
-    const Json json = Json::parse(std::ifstream(folder / stats_name));
-    const Json& seconds = json.at("seconds");
-    const Json& work = json.at("work");
-    RenderStats stats;
-    stats.device = {.name = json.at("device").at("name"),
-                    .vendor = json.at("device").at("vendor"),
-                    .driver = json.at("device").at("driver"),
-                    .is_gpu = json.at("device").at("is_gpu")};
-    stats.precision = options.precision;
-    stats.mode = options.mode;
-    stats.threads = json.at("threads");
-    stats.simd_width = json.at("simd_width");
-    stats.instruction_set = json.at("instruction_set");
-    stats.unsettled = json.at("unsettled");
-    if (json.at("step_factor").is_number()) stats.step_factor = json.at("step_factor");
-    stats.timings = {.context = seconds.at("context"),
-                     .build = seconds.at("build"),
-                     .upload = seconds.at("upload"),
-                     .kernel = seconds.at("kernel"),
-                     .host = seconds.at("host"),
-                     .readback = seconds.at("readback"),
-                     .wall = seconds.at("wall")};
-    stats.work = {.steps = work.at("steps"), .de_calls = work.at("de_calls"), .iterations = work.at("iterations")};
-    return stats;
+    const double value = json.at(key).is_number() ? json.at(key).get<double>() : -1;
+    if (!(value >= least && value <= 0x1p53)) throw Error(fmt::format("{} is not a number from {:g}", key, least));
+    return value;
+}
+
+// Reads the statistics that the program has written. Throws Error.
+RenderStats stats_in(const Command& command, const fs::path& folder)
+{
+    const std::optional<std::string> text = own_file((folder / stats_name).string());
+    if (!text) throw Error(fmt::format("{}: no {} written", command.name, stats_name));
+    try {
+        const Json json = parse_json<Json>(*text, stats_name);
+        const Json& device = json.at("device");
+        const Json& seconds = json.at("seconds");
+        const Json& work = json.at("work");
+        RenderStats stats;
+        stats.device = {.name = device.at("name"),
+                        .vendor = device.at("vendor"),
+                        .driver = device.at("driver"),
+                        .is_gpu = device.at("is_gpu")};
+        stats.threads = static_cast<int>(std::min(number(json, "threads"), 1e6));
+        stats.simd_width = static_cast<int>(std::min(number(json, "simd_width"), 1e6));
+        stats.instruction_set = printable(json.at("instruction_set").get<std::string>());
+        stats.unsettled = number(json, "unsettled");
+        if (json.at("step_factor").is_number()) stats.step_factor = number(json, "step_factor");
+        stats.timings = {.context = number(seconds, "context"),
+                         .build = number(seconds, "build"),
+                         .upload = number(seconds, "upload"),
+                         .kernel = number(seconds, "kernel", 1e-9),
+                         .host = number(seconds, "host"),
+                         .readback = number(seconds, "readback"),
+                         .wall = number(seconds, "wall", 1e-9)};
+        stats.work = {.steps = static_cast<std::uint64_t>(number(work, "steps")),
+                      .de_calls = static_cast<std::uint64_t>(number(work, "de_calls")),
+                      .iterations = static_cast<std::uint64_t>(number(work, "iterations"))};
+        return stats;
+    } catch (const std::exception& error) {
+        throw Error(fmt::format("{}: {}: not the statistics of render: {}", command.name, stats_name,
+                                printable(error.what(), longest_complaint)));
+    }
 }
 
 // Draws the scene. `layers`: of the picture; a foreign program draws bytes alone.
@@ -177,6 +195,7 @@ Drawn drawn(const Command& command, Scene scene, const RendererOptions& options,
         const Ended ended = run(command, std::move(words), folder.path(), limit);
         Drawn made{.image = picture_in(command, folder.path(), scene.image_file, scene), .stats = {}};
         made.stats.device = command.device;
+        made.stats.threads = made.stats.simd_width = 0;  // unknown
         made.stats.timings.ran(ended.seconds);
         made.stats.timings.wall = ended.seconds;
         return made;
@@ -190,12 +209,11 @@ Drawn drawn(const Command& command, Scene scene, const RendererOptions& options,
           std::string("--output"), file, std::string("--stats"), std::string(stats_name)}) {
         words.push_back(word);
     }
-    run(command, std::move(words), folder.path(), limit);
-    try {
-        return {picture_in(command, folder.path(), file, scene), stats_in(folder.path(), options)};
-    } catch (const Json::exception& error) {
-        throw Error(fmt::format("{}: {}: not the statistics of render", command.name, stats_name));
+    if (const std::string without = disabled(options.techniques); !without.empty()) {
+        words.insert(words.end(), {"--without", without});
     }
+    run(command, std::move(words), folder.path(), limit);
+    return {picture_in(command, folder.path(), file, scene), stats_in(command, folder.path())};
 }
 
 class ProgramRenderer : public Renderer {
@@ -230,7 +248,7 @@ public:
     explicit Program(Command command) : command_(std::move(command)) {}
 
     std::string_view name() const override { return command_.name; }
-    BackendInfo info() const override { return {.foreign = command_.foreign}; }
+    BackendInfo info() const override { return {.foreign = command_.foreign, .replays = true}; }
     std::optional<std::string> unavailable() const override { return {}; }
     std::vector<Device> devices() const override { return {command_.device}; }
     std::unique_ptr<Renderer> create(const RendererOptions& options) const override
@@ -254,11 +272,12 @@ Command command_of(const std::string& text)
     }
     if (command.words.empty() || !fs::is_regular_file(command.words[0], failed) ||
         access(command.words[0].c_str(), X_OK) != 0) {
-        throw InputError(fmt::format("{}: expected an executable file that runs as PROGRAM {} and writes a picture",
-                                     command.name, scene_name));
+        throw InputError(fmt::format(
+            "--backend: '{}' given, expected an executable file that runs as PROGRAM {} and writes a picture",
+            command.name, scene_name));
     }
     command.words[0] = fs::absolute(command.words[0]).string();
-    command.device = {.name = text, .vendor = "", .driver = "", .is_gpu = false};
+    command.device = {.name = text, .vendor = "", .driver = "timed as a whole process", .is_gpu = false};
     return command;
 }
 
@@ -277,9 +296,13 @@ public:
         command.foreign = false;
         try {
             const Scene scene = official_scene(fractals().front(), trial_side, trial_side);
-            command.device = drawn(command, scene, {}, Image::Layers::bytes, trial_limit).stats.device;
-        } catch (const Error&) {
+            command.device =
+                drawn(command, scene, {}, Image::Layers::bytes, std::min(trial_limit, device_timeout())).stats.device;
+            command.device.name = printable(command.device.name, longest_complaint);
+            command.device.driver = "by the program's own clock";
+        } catch (const Error& error) {
             command.foreign = true;
+            say("{}; it is timed as a whole process\n", printable(error.what(), 2 * longest_complaint));
         }
         return std::make_unique<Program>(std::move(command));
     }

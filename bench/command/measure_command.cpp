@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "cli/arguments.h"
 #include "cli/option_values.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
@@ -123,22 +124,36 @@ Run measure_command(CLI::App& app, Registry& registry, const std::vector<std::st
 {
     const auto m = std::make_shared<Measurement>();
     add_options(app, registry, *m);
-    return [m, &registry, arguments]() -> int {
+    return [m, &registry, arguments, command = &app]() -> int {
         if (m->list) {
+            refuse_others(*command, "--list",
+                          {"--list", "--backend", "--fractal", "--precision", "--mode", "--scene", "--size", "--study",
+                           "--filter"});
             list(registry, m->options);
             return exit_success;
         }
-        return m->outputs.deliver({m->options.scene}, [&] { return measured(*m, registry, arguments); });
+        // Outputs must not replace the parameter file or the program of program:PROGRAM.
+        std::vector<std::string> read{m->options.scene};
+        for (const std::string& name : m->options.backends) {
+            const std::string argument = name.substr(name.find(':') + 1);
+            if (argument != name) read.insert(read.end(), {argument, argument.substr(0, argument.find(' '))});
+        }
+        return m->outputs.deliver(read, [&] { return measured(*m, registry, arguments); });
     };
 }
 
 Run peak_command(CLI::App& app, Registry& registry)
 {
     const auto options = std::make_shared<Options>();
-    add_selection(app, registry, *options);
+    app.add_option_function<std::string>(
+           "--backend", [&, options](const std::string& text) { options->backends = parse_backends(registry, text); },
+           "backend to measure: all, or a list such as openmp,opencl")
+        ->default_str("all");
     return [options, &registry]() -> int {
         Display display;
-        const auto peaks = measure_peaks(registry, *options, [&](const Step& step) { display.show(step); });
+        const auto peaks = measure_peaks(
+            registry, *options, [&](const Step& step) { display.show(step); },
+            [&](const Peak& peak) { return options->selects(peak.backend); });
         display.finish();
         print("{:<44} {:<8} {:>3} {:<9} {:>9}\n", "platform", "backend", "dev", "precision", "GFLOP/s");
         for (const Peak& p : peaks) {

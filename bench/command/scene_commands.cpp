@@ -86,7 +86,15 @@ Run equivalence_command(CLI::App& app, Registry& registry)
     EquivalenceOptions& o = state->options;
     const auto folder = std::make_shared<std::string>();
     app.add_option_function<std::string>(
-           "--backend", [&](const std::string& text) { o.backends = parse_backends(registry, text); },
+           "--backend",
+           [&](const std::string& text) {
+               o.backends = parse_backends(registry, text);
+               for (const std::string& name : o.backends) {
+                   if (registry.find(name)->info().replays) {
+                       throw InputError(fmt::format("--backend: '{}' given, expected a backend of this build", name));
+                   }
+               }
+           },
            "backend to check: all, or a list such as openmp,opencl")
         ->default_str("all");
     add_fractal(app, o.fractals, "fractals to render: all, or one name");

@@ -79,9 +79,9 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const double spent = seconds_since(start);
     rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
     const Telemetry telemetry;
-    const bool foreign = std::ranges::any_of(live, [](const TimedCase& c) { return c.one->backend->info().foreign; });
+    const bool replays = std::ranges::any_of(live, [](const TimedCase& c) { return c.one->backend->info().replays; });
     MovingEye eye(registry);
-    result.moved_eye = options.move_eye || foreign;
+    result.moved_eye = options.move_eye || replays;
     run_rounds(live, rules, phase, result.moved_eye ? &eye : nullptr);
     const nlohmann::ordered_json told = telemetry.since_start();
     // Measure the peaks again. If the machine was slower before the rounds, the first peaks are too low, and the shares

@@ -116,7 +116,8 @@ std::string unlike_threads(const Result& result)
     std::vector<std::pair<std::string, int>> known;
     bool unlike = false;
     for (const Row& row : result.rows) {
-        if (!row.timed() || row.is_gpu || row.setting.threads > 0 || row.verification.is_expected) continue;
+        if (!row.timed() || row.is_gpu || row.setting.threads > 0 || row.threads == 0) continue;
+        if (row.verification.is_expected) continue;
         const std::pair<std::string, int> here{row.backend, row.threads};
         if (std::ranges::find(known, here) != known.end()) continue;
         unlike = unlike || (!known.empty() && known.front().second != row.threads);

@@ -14,7 +14,11 @@ std::string backend_with(const nlohmann::ordered_json& environment, Role role)
     const auto backends = environment.find("backends");
     if (backends != environment.end() && backends->is_array()) {
         for (const auto& backend : *backends) {
-            if (backend.is_object() && backend.value("role", "") == name_of(role)) return backend.value("name", "");
+            const auto text = [&](const char* key) {
+                const auto found = backend.is_object() ? backend.find(key) : backend.end();
+                return found != backend.end() && found->is_string() ? found->get<std::string>() : std::string();
+            };
+            if (text("role") == name_of(role)) return text("name");
         }
     }
     return {};

@@ -160,6 +160,10 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     if (!options.scene.empty() && options.fractals.size() != 1) {
         throw InputError("--scene without --fractal given, expected the fractal that the file is of");
     }
+    if (!options.scene.empty() && std::ranges::count(study.axes, "scene", &Axis::name) > 0) {
+        throw InputError(
+            fmt::format("--scene with --study {} given, whose scenes differ, expected one of them", study.name));
+    }
     const bool baselines = study.baselines;
     const auto asked = [&](const Backend& backend) { return options.selects(backend.name()); };
     std::vector<const Backend*> backends;
@@ -204,8 +208,8 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
     std::erase_if(cases, [&](const Case& one) {
         const bool again =
             one.row.precision != options.precisions.front() || one.row.mode != options.selected_modes().front();
-        return (one.backend->info().foreign && again) || !(asked(*one.backend) || is_baseline(one)) ||
-               !study.keeps(one) || !chosen(one.row.name());
+        return (one.backend->info().foreign && (again || !one.row.setting.without.empty())) ||
+               !(asked(*one.backend) || is_baseline(one)) || !study.keeps(one) || !chosen(one.row.name());
     });
     for (Case& one : cases) realise(one, options);
     cases.insert(cases.end(), without_device.begin(), without_device.end());

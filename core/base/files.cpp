@@ -53,7 +53,10 @@ std::string first_line(const std::string& path)
 
 TemporaryFolder::TemporaryFolder()
 {
-    std::string name = (fs::temp_directory_path() / "mandelmarch-XXXXXX").string();
+    std::error_code failed;
+    const fs::path folder = fs::temp_directory_path(failed);
+    if (failed) throw Error(fmt::format("the folder of temporary files (TMPDIR): {}", failed.message()));
+    std::string name = (folder / "mandelmarch-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw Error(fmt::format("{}: {}", name, std::strerror(errno)));
     path_ = name;
     removed_.emplace(name);

@@ -4,8 +4,10 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -60,6 +62,38 @@ void remove_tree(int parent, const char* name)  // NOLINT(misc-no-recursion): as
     unlinkat(parent, name, AT_REMOVEDIR);
 }
 
+// Kills this process's children, if those that lose their parents become children of this process. A signal handler may
+// call this function.
+void kill_adopted()
+{
+    int adopts = 0;
+    if (prctl(PR_GET_CHILD_SUBREAPER, &adopts) != 0 || adopts == 0) return;
+    // Adopted children belong to the main thread, whose number is the process's.
+    std::array<char, 16> digits{};
+    std::size_t first = digits.size() - 1;
+    for (pid_t rest = getpid(); rest > 0; rest /= 10) digits[--first] = static_cast<char>('0' + rest % 10);
+    std::array<char, 64> path{"/proc/self/task/"};
+    std::strcat(std::strcat(path.data(), &digits[first]), "/children");
+    constexpr int most_generations = 64;
+    for (int generation = 0; generation < most_generations; ++generation) {
+        const int list = open(path.data(), O_RDONLY | O_CLOEXEC);
+        std::array<char, 4096> text{};
+        const ssize_t size = list < 0 ? 0 : read(list, text.data(), text.size() - 1);
+        close(list);
+        pid_t child = 0;
+        for (ssize_t i = 0; i < size; ++i) {
+            if (text[static_cast<std::size_t>(i)] != ' ') {
+                child = 10 * child + (text[static_cast<std::size_t>(i)] - '0');
+                continue;
+            }
+            kill(child, SIGKILL);
+            waitpid(child, nullptr, 0);
+            child = 0;
+        }
+        if (size <= 0) return;
+    }
+}
+
 // The signal handler. Kills the process groups, removes the files, then raises the signal again with its default
 // action.
 void remove_files(int signal)
@@ -67,6 +101,7 @@ void remove_files(int signal)
     for (const Name& name : names) {
         if (name.owner == getpid() && name.group != 0) kill(-name.group, SIGKILL);
     }
+    kill_adopted();
     for (const Name& name : names) {
         if (name.owner == getpid() && name.group == 0) remove_tree(AT_FDCWD, name.path.data());
     }

@@ -69,6 +69,15 @@ Techniques techniques_without(std::string_view names)
     return techniques;
 }
 
+std::string disabled(const Techniques& techniques)
+{
+    std::string names;
+    for (const NamedTechnique& one : names_of_techniques) {
+        if (!(techniques.*one.member)) names += fmt::format("{}{}", names.empty() ? "" : ",", one.name);
+    }
+    return names;
+}
+
 Timings& operator+=(Timings& to, const Timings& from)
 {
     to.build += from.build;

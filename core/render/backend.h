@@ -54,6 +54,8 @@ struct Techniques {
 
 // Returns all techniques except those in `names`, such as "hull,cones". Throws InputError, which lists the known names.
 Techniques techniques_without(std::string_view names);
+// Returns the names of the disabled techniques: "hull,cones".
+std::string disabled(const Techniques& techniques);
 
 // Options of Backend::create().
 struct RendererOptions {
@@ -196,8 +198,9 @@ struct BackendInfo {
     bool band = false;
     bool block_size = false;
     bool concurrent = false;  // renderers with one thread each can render at the same time, on threads of the caller
-    // Its pictures are bytes alone, the same in each precision and mode, and may be kept from an earlier call.
+    // Its pictures are bytes alone, the same in each precision and mode, and it has no techniques.
     bool foreign = false;
+    bool replays = false;           // it may keep a picture from an earlier call
     std::string_view gpus = "GPU";  // the kind of GPU that an accelerator needs, for messages
     // If not empty, the backend only makes others: "NAME:argument" names one. This is what `argument` stands for.
     std::string_view argument = {};

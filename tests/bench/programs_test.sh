@@ -73,7 +73,36 @@ for same in bits bytes; do
     [ "$(grep -c "program\[1\] .* same $same " out)" = 1 ] || { cat out >&2; fail "one row of the same $same"; }
 done
 
-refused 'nosuch: expected an executable' --backend program:./nosuch
+# Without a technique, render's pictures are others; a foreign program has none to leave out. A failed trial is said.
+expect 0 --study ablation --mode fast --backend "$(backends right),program:$1/render --threads 1" --fractal box --size 60x40 \
+    --precision double --repetitions 1 --no-peaks --json ablation.json
+grep -q '^program:./right: .*timed as a whole process' err || fail "$(cat err)"
+python3 - <<'PY'
+import json
+rows = [row for row in json.load(open("ablation.json"))["rows"] if row["samples"]]
+off = {row["sweep_value"]: row["verification"]["visibly_differing"] for row in rows if "render" in row["backend"]}
+assert len(off) > 5 and len(set(off.values())) > 1, off
+assert not [row for row in rows if "right" in row["backend"] and row["setting"]["without"]], rows
+PY
+
+# What a program says of itself is checked, and an end by a signal ends all that the program started.
+printf '#!/bin/sh\n%s "$@" && rm -f stats.json && mkfifo stats.json\n' "$1/render" >lies
+printf '#!/bin/sh\nsetsid sleep 1000.75 & sleep 1000.5\n' >stays
+chmod +x lies stays
+expect 1 --backend "$(backends lies)" "${few[@]}"
+"$bench" --backend "$(backends stays)" "${few[@]}" >out 2>err &
+while ! pgrep -f 'sleep 1000.75' >/dev/null; do sleep 0.1; done
+kill -TERM $!
+wait $! && fail "an ended bench succeeded"
+sleep 0.2
+pgrep -f 'sleep 1000' >/dev/null && fail "a process still runs after a signal"
+[ -z "$(ls tmp)" ] || fail "left in the temporary folder: $(ls tmp)"
+
+refused 'nosuch.*expected an executable' --backend program:./nosuch
+refused 'right.*same file' --backend program:./right --fractal box --json right
+refused 'whose scenes differ' --study box-vs-bulb --fractal box --scene right --backend openmp
+refused 'a backend of this build' equivalence --backend program:./right
+refused -- '--list' --list --json x.json
 refused 'without --fractal' --backend program:./right --scene right
 expect 2 --backend program:./right --fractal box --scene nosuch.dat
 ! pgrep -f "$work/made_program" >/dev/null || fail "a program still runs"

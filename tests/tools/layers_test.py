@@ -36,7 +36,7 @@ LAYERS = [
     ["bench/files"],
     ["bench/machine", "bench/print", "bench/study"],
     ["bench/harness"],
-    ["bench/contest", "bench/scenes"],
+    ["bench/scenes"],
     ["bench/command"],
     ["bench"],
 ]
