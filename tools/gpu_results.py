@@ -20,7 +20,7 @@ from pathlib import Path
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report"))
 from mandelreport.errors import InputError, one_line, reading, run_program, write_whole
 
-STEP = re.compile(r"^(\S+) +(passed|skipped|failed|late) +(\d{1,6}) s  ?(.*)$")
+STEP = re.compile(r"^(\S+) +(passed|skipped|failed|late) +(\d{1,6}) s *(.*)$")
 BACKENDS = ("cuda", "hip", "openacc", "omptarget", "opencl", "vulkan")
 EXPECTED = "the results.tgz of gpu_check"
 MOST_BYTES = 2**28  # of an archive, unpacked
