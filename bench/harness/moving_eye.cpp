@@ -71,7 +71,7 @@ std::string MovingEye::fault_of(const Case& one, const Image& image)
 {
     const ExpectedPicture& expected = pictures_.for_case(view_of(one));
     const Agreement found = agreement(expected.image, image, one.options.precision);
-    if (found.level <= level_required(one, image)) return {};
+    if (passes(one, image, found)) return {};
     return fmt::format("the timed picture of a view nearby is wrong: {} of {} pixels differ, {} visibly",
                        found.comparison.differing, found.comparison.pixels, found.comparison.visibly_differing);
 }

@@ -136,6 +136,15 @@ Level level_required(const Case& one, const Image& image)
     return image.has_values() ? required : std::max(required, Level::same_bytes);
 }
 
+bool passes(const Case& one, const Image& image, const Agreement& found)
+{
+    // With `--without refinement`, the same rays hit, but at slightly different points. The check then only compares
+    // which rays hit, if depths are known: at most one pixel in a thousand may hit instead of miss, or miss instead of
+    // hit.
+    if (one.options.techniques.refinement) return found.level <= level_required(one, image);
+    return found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
+}
+
 void verify(Case& one, const Image& image, const ExpectedPicture& expected)
 {
     Row& row = one.row;
@@ -143,12 +152,7 @@ void verify(Case& one, const Image& image, const ExpectedPicture& expected)
     const Level required = level_required(one, image);
     Verification& verification = row.verification;
     verification.drawn = true;
-    verification.passed = found.level <= required;
-    // With `--without refinement`, the same rays hit, but at slightly different points. The check then only compares
-    // which rays hit: at most one pixel in a thousand may hit instead of miss, or miss instead of hit.
-    if (!techniques_without(row.setting.without).refinement) {
-        verification.passed = found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
-    }
+    verification.passed = passes(one, image, found);
     verification.level = name_of(found.level);
     verification.text = summary(found);
     verification.against = expected.name;
