@@ -145,10 +145,7 @@ Run measure_command(CLI::App& app, Registry& registry, const std::vector<std::st
 Run peak_command(CLI::App& app, Registry& registry)
 {
     const auto options = std::make_shared<Options>();
-    app.add_option_function<std::string>(
-           "--backend", [&, options](const std::string& text) { options->backends = parse_backends(registry, text); },
-           "backend to measure: all, or a list such as openmp,opencl")
-        ->default_str("all");
+    add_devices(app, registry, *options);
     return [options, &registry]() -> int {
         Display display;
         const auto peaks = measure_peaks(

@@ -50,24 +50,30 @@ std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<co
     return text == "all" ? std::move(all) : std::vector{&fractal_named(text)};
 }
 
-void add_selection(CLI::App& app, Registry& registry, Options& options)
+void add_devices(CLI::App& app, Registry& registry, Options& options)
 {
     app.add_option_function<std::string>(
-           "--backend", [&](const std::string& text) { options.backends = parse_backends(registry, text); },
+           "--backend",
+           [&registry, &options](const std::string& text) { options.backends = parse_backends(registry, text); },
            "backend to measure: all, or a list such as openmp,opencl,program:./mine")
         ->default_str("all");
     app.add_option_function<std::string>(
-           "--fractal", [&](const std::string& text) { options.fractals = parse_fractals(text, default_fractals()); },
-           fmt::format("fractal to measure: all ({}), or one name",
-                       joined(default_fractals(), " and ", name_of_fractal)))
-        ->default_str("all");
-    app.add_option_function<std::string>(
            "--precision",
-           [&](const std::string& text) {
+           [&options](const std::string& text) {
                if (text != "all") options.precisions = {text == "float" ? Precision::f32 : Precision::f64};
            },
            "precision to measure: all, float or double")
         ->check(CLI::IsMember({"all", "float", "double"}))
+        ->default_str("all");
+}
+
+void add_selection(CLI::App& app, Registry& registry, Options& options)
+{
+    add_devices(app, registry, options);
+    app.add_option_function<std::string>(
+           "--fractal", [&](const std::string& text) { options.fractals = parse_fractals(text, default_fractals()); },
+           fmt::format("fractal to measure: all ({}), or one name",
+                       joined(default_fractals(), " and ", name_of_fractal)))
         ->default_str("all");
     app.add_option_function<std::string>(
            "--mode",

@@ -48,8 +48,10 @@ std::vector<std::string> parse_backends(Registry& registry, std::string_view tex
 // Parses a fractal's name. Returns that fractal, or `all` for the text "all".
 std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all);
 
-// Declares --backend, --fractal, --precision, --mode, --scene, --size, --study and --filter, which set members of
-// `options`.
+// Declares --backend and --precision, which set members of `options`.
+void add_devices(CLI::App& app, Registry& registry, Options& options);
+
+// Declares these options, and --fractal, --mode, --scene, --size, --study and --filter.
 void add_selection(CLI::App& app, Registry& registry, Options& options);
 
 }  // namespace mandelmarch::bench

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -38,7 +39,9 @@ Ran run(Defect defect, std::vector<std::string> arguments)
     const TemporaryFolder folder;
     const std::string file = folder.path() / "result.json";
     arguments.insert(arguments.begin(), "bench");
-    arguments.insert(arguments.end(), {"--json", file});
+    if (std::ranges::find(arguments, "--list") == arguments.end()) {
+        arguments.insert(arguments.end(), {"--json", file});
+    }
     std::vector<char*> argv;
     for (std::string& word : arguments) argv.push_back(word.data());
     Ran ran;
