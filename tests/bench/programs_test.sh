@@ -99,12 +99,14 @@ sleep 0.2
 pgrep -f 'sleep 1000' >/dev/null && fail "a process still runs after a signal"
 [ -z "$(ls tmp)" ] || fail "left in the temporary folder: $(ls tmp)"
 
+# says_last PATTERN ARGUMENT...: bench exits with 2, and its last line on stderr matches PATTERN.
+says_last() { expect 2 "${@:2}"; tail -n 1 err | grep -q -- "$1" || fail "$1 expected in: $(cat err)"; }
 refused 'nosuch.*expected an executable' --backend program:./nosuch
-refused 'right.*same file' --backend program:./right --fractal box --json right
+says_last 'right.*same file' --backend program:./right --fractal box --json right
 refused 'whose scenes differ' --study box-vs-bulb --fractal box --scene right --backend openmp
-refused 'a backend of this build' equivalence --backend program:./right
+says_last 'a backend of this build' equivalence --backend program:./right
 refused 'json.*--list' --list --json x.json
-refused 'without --fractal' --backend program:./right --scene right
+says_last 'without --fractal' --backend program:./right --scene right
 expect 2 --backend program:./right --fractal box --scene nosuch.dat
 ! pgrep -f "$work/made_program" >/dev/null || fail "a program still runs"
 echo fine
