@@ -86,7 +86,7 @@ off = {row["sweep_value"]: row["verification"]["visibly_differing"] for row in r
 assert len(off) > 5 and len(set(off.values())) > 1, off
 PY
 
-# What a program says of itself is checked, and an end by a signal ends all that the program started.
+# The statistics of a program are checked. A signal that ends bench ends every process that the program started.
 printf '#!/bin/sh\n%s "$@" && rm -f stats.json && mkfifo stats.json\n' "$1/render" >lies
 printf '#!/bin/sh\nsetsid sleep 1000.75 & sleep 1000.5\n' >stays
 chmod +x lies stays
