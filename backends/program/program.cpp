@@ -3,7 +3,7 @@
 // limit. The folder holds the parameter file scene.dat.
 //
 // A program that takes the options of `render` and writes its statistics is run as
-//   PROGRAM scene.dat --fractal NAME --precision P --mode M --output FILE --stats FILE
+//   PROGRAM scene.dat --fractal NAME --precision P --mode M --output FILE --stats FILE [--without NAMES]
 // so its times are those of its statistics, and its pictures in float have values (EXR) where the caller needs them.
 // Any other program is foreign. It is run as PROGRAM scene.dat, must write the picture that scene.dat names
 // (image.bmp), and is timed as a whole process.

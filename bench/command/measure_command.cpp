@@ -66,7 +66,7 @@ void add_options(CLI::App& app, Registry& registry, Measurement& m)
         ->capture_default_str();
     app.add_flag("--move-eye", o.move_eye,
                  "move the eye in each round, so that a picture kept from an earlier run is noticed (default with "
-                 "program:PROGRAM, unless the program is ours)");
+                 "program:PROGRAM)");
     m.outputs.option(app, "--json", "write all results and samples as JSON to this file (-: standard output)",
                      [&] { return text_of(facts_of(m.result)); });
     m.outputs.option(app, "--csv", "write one line per configuration to this file (-: standard output)",

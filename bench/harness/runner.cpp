@@ -139,7 +139,8 @@ Sample draw_sample(TimedCase& row, const Scene& scene, Image& image)
 {
     const Case& one = *row.one;
     const int frames = one.row.setting.frames;
-    if (frames == 0 && row.expected < warmed_below) row.renderer->render(scene, image);
+    // Not the scene of this sample, whose picture a program might keep.
+    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
     // Overwrite the image. Otherwise, if a backend did not write its pixels, the previous configuration's picture would
     // pass for its own.
     std::ranges::fill(image.bytes(), std::uint8_t{0x55});

@@ -42,6 +42,16 @@ grep -q '^program\[2\] 0: program:./nearly, ' out || fail "$(cat out)"
 pgrep -f 'sleep 1000.25' >/dev/null && fail "a process of a program still runs"
 [ -z "$(ls tmp)" ] || fail "left in the temporary folder: $(ls tmp)"
 
+# A program that keeps the picture of the scene before replays only the scene's own view, which is not timed.
+cat >keeps <<SH
+#!/bin/sh
+if cmp -s scene.dat $work/last.dat; then md5sum scene.dat >>$work/hits; cp $work/last.bmp image.bmp; exit; fi
+$work/made_program "\$1" && cp scene.dat $work/last.dat && cp image.bmp $work/last.bmp
+SH
+chmod +x keeps
+expect 0 --backend "$(backends keeps)" "${few[@]}"
+[ ! -e hits ] || [ "$(sort -u hits | wc -l)" = 1 ] || fail "a timed picture was replayed: $(cat hits)"
+
 # Each faulty program has no speed, and its line says why; openmp has one.
 MANDELMARCH_DEVICE_TIMEOUT=3 expect 1 --backend "openmp,$(backends "${faults[@]:1}" stale)" "${few[@]}" --json faults.json
 says wrong '[0-9]* of 2400 pixels differ'
