@@ -6,7 +6,7 @@ bin=$1
 source=$2
 python=$3
 scene=(--fractal box "$source/paramsBox.dat" --size 48x40)
-few=(--backend skeleton --fractal box --precision float --mode exact --size 32x32 --repetitions 6)
+few=(--backend skeleton --fractal box --precision float --mode exact --size 32x32)
 
 test_lists() {
     expect 0 "$bin/render_with_skeleton" --help
@@ -34,7 +34,7 @@ test_pictures() {
 test_bench() {
     expect 0 "$bin/bench_with_skeleton" --list "${few[@]}"
     prints '^mandelbox/float/exact/skeleton/0'
-    expect 0 "$bin/bench_with_skeleton" "${few[@]}" --json result.json
+    expect 0 "$bin/bench_with_skeleton" "${few[@]}" --repetitions 6 --json result.json
     "$python" - "$bin" <<'PY' || fail "the result"
 import json
 import subprocess
