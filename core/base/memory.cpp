@@ -58,10 +58,12 @@ void refuse_shortage(const std::string& doing)
 {
     constexpr std::uint64_t large_driver = 256 << 20;  // bytes
     std::string why = memory_shortage("drivers", large_driver);
-    std::array<Descriptor, 16> spare;
-    for (Descriptor& one : spare) {
-        one = Descriptor(eventfd(0, EFD_CLOEXEC));
-        if (one.number() < 0) why = std::strerror(errno);
+    {
+        std::array<Descriptor, 16> spare;
+        for (Descriptor& one : spare) {
+            one = Descriptor(eventfd(0, EFD_CLOEXEC));
+            if (one.number() < 0) why = std::strerror(errno);
+        }
     }
     if (!why.empty()) throw Error(fmt::format("{}: {}", doing, why));
 }
