@@ -52,7 +52,7 @@ void remove_tree(int parent, const char* name)  // NOLINT(misc-no-recursion): as
     for (long size = 1; size > 0;) {
         size = syscall(SYS_getdents64, folder, entries.data(), entries.size());  // readdir() allocates memory
         for (long at = 0; at < size;) {
-            const auto* const entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+            const auto* const entry = static_cast<const dirent64*>(static_cast<const void*>(entries.data() + at));
             const char* const inner = static_cast<const char*>(entry->d_name);
             if (std::strcmp(inner, ".") != 0 && std::strcmp(inner, "..") != 0) remove_tree(folder, inner);
             at += entry->d_reclen;
