@@ -27,6 +27,7 @@ from .text import ms, percent, with_interval
 ROOT = Path(__file__).parents[2]
 MARKED = re.compile("(?<=<!-- results -->\n).*?(?=<!-- end -->)", re.S)  # the figures of README.md
 TAGS = [
+    (r'<p class="traced abstract">.*?</p>', ""),
     (r'<span class="screen">.*?</span>', ""),
     (r"<h3>(.*?)</h3>", r"### \1"),
     (r"</?p( [^>]*)?>", "\n\n"),
