@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON for the report's viewer (docs/report-internals.md). fractals_json() lists all fractals with their formulas,
+// JSON for the report's viewer (docs/report.md). fractals_json() lists all fractals with their formulas,
 // which the viewer uses. scene_json() describes a scene as kernels receive it; tests compare it with the scene that the
 // viewer computes.
 #pragma once

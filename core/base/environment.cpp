@@ -41,7 +41,7 @@ std::map<std::string, std::string> recorded_variables()
 
 std::string environment_help(std::string_view program)
 {
-    std::string text = "\nEnvironment variables (more in docs/environment.md):";
+    std::string text = "\nEnvironment variables (all: core/base/environment.h):";
     for (const Variables& row : variables) {
         const bool reads = row.readers == "all programs" || row.readers.find(program) != std::string_view::npos;
         if (!reads || !std::string_view(row.names[0]).starts_with("MANDELMARCH_")) continue;

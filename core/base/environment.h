@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The environment variables that the programs, backends and drivers read. docs/environment.md has the same table.
+// The environment variables that the programs, backends and drivers read.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sets the step lengths and the accuracy of hits for a whole picture. core/kernel/stepping.h uses them to choose each
-// step. docs/fast-mode.md lists the constants of both files.
+// step.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 // A number that records its formula as text. The formulas of a fractal's descriptor are function templates. The
 // programs compute them with double, and export them as text by computing them with Formula. The text is an
 // expression that is valid in both JavaScript and Python, so that the report's viewer computes the same values
-// (docs/report-internals.md).
+// (docs/report.md).
 #pragma once
 
 #include <algorithm>

@@ -27,6 +27,7 @@ from .text import ms, percent, with_interval
 ROOT = Path(__file__).parents[2]
 MARKED = re.compile("(?<=<!-- results -->\n).*?(?=<!-- end -->)", re.S)  # the figures of README.md
 TAGS = [
+    (r'<p class="traced abstract">.*?</p>', ""),
     (r'<span class="screen">.*?</span>', ""),
     (r"<h3>(.*?)</h3>", r"### \1"),
     (r"</?p( [^>]*)?>", "\n\n"),
@@ -54,9 +55,9 @@ def _lines(text: str) -> str:
 
 
 def _cell(bench: Bench, row: Row, what: str) -> str:
-    """Formats a value of a row: visibly_off, a time, a speed-up, or the ratio that answers the question `what`."""
-    if what == "visibly_off":
-        return percent(row.visibly_off)
+    """Formats a value of a row: a time, a share, a speed-up, or the ratio that answers the question `what`."""
+    if what == "share_of_peak":
+        return percent(row.figures[what])
     if what in ("kernel", "wall"):
         return with_interval(getattr(row, what).median, getattr(row, what).interval, ms)
     if what not in bench.data["questions"]:
@@ -65,14 +66,14 @@ def _cell(bench: Bench, row: Row, what: str) -> str:
     return with_interval(found.median, found.interval) if found else "–"
 
 
-def _pivoted(cells: Iterable[tuple[str, str, str]], caption: str) -> Table:
-    """Returns a table of cells, each given with the names of its line and its column."""
+def _pivoted(cells: Iterable[tuple[str, str, str]], corner: str) -> Table:
+    """Returns a table of cells, each given with the names of its line and its column. `corner`: the first header."""
     lines: dict[str, dict[str, str]] = {}
     for line, column, text in cells:
         if text != "–":
             lines.setdefault(line, {})[column] = text
     columns = list(dict.fromkeys(column for of in lines.values() for column in of))
-    return Table(["", *columns], [[line, *(of.get(column, "–") for column in columns)] for line, of in lines.items()], caption)
+    return Table([corner, *columns], [[line, *(of.get(column, "–") for column in columns)] for line, of in lines.items()], "")
 
 
 class Page:
@@ -88,9 +89,6 @@ class Page:
     def bench(self, name: str) -> Bench:
         return self.benches[f"{name}.json"]
 
-    def timings(self, name: str) -> Table:
-        return tables.timings(self.material, self.bench(name))
-
     def pivot(self, names: str, lines: str, columns: str, what: str, **wanted: str) -> Table:
         """Returns a table of the values `what` of timed rows. `lines`, `columns`: the fields of a row that name its
         line and its column."""
@@ -99,16 +97,21 @@ class Page:
             return ", ".join(getattr(row, field) for field in fields.split())
 
         benches = [self.bench(name) for name in names.split()]
-        cells = ((of(row, lines), of(row, columns), _cell(bench, row, what)) for bench in benches for row in bench.timed(**wanted))
-        return _pivoted(cells, f"{', '.join(bench.name for bench in benches)}; {benches[0].machine}.")
+        rows = ((bench, row) for bench in benches for row in bench.all_rows if row.timed)
+        chosen = ((bench, row) for bench, row in rows if all(row.data[key] == value for key, value in wanted.items()))
+        cells = ((of(row, lines), of(row, columns), _cell(bench, row, what)) for bench, row in chosen)
+        return _pivoted(cells, ", ".join(bench.name for bench in benches))
 
     def files(self) -> Table:
-        rows = []
+        """Returns a table of all results, with a line for each machine, revision, date and number of runs."""
+        files: dict[tuple[str, ...], list[str]] = {}
         for bench in self.results.benches:
             git = bench.environment["git"]
             revision = git["revision"][:7] + (" and changes" if git["dirty"] else "")
-            rows.append([bench.name, bench.study, bench.machine, str(bench.data["runs"]), bench.environment["date"][:10], revision])
-        return Table(["file", "study", "machine", "runs", "date", "revision"], rows, "All results of bench.")
+            key = (bench.machine, str(bench.data["runs"]), bench.environment["date"][:10], revision)
+            files.setdefault(key, []).append(bench.name)
+        rows = [[*key, ", ".join(names)] for key, names in files.items()]
+        return Table(["machine", "runs", "date", "revision", "files"], rows, "All results of bench.")
 
 
 def pages(results: Results) -> dict[Path, str]:

@@ -72,17 +72,16 @@ def cost(model, rows):
 
 
 def timings():
-    """Yields (file, name of a row, the page's text, function of the file's rows) for each time and speed-up in the
-    tables of all times of a file."""
-    for file, lines in re.findall(r"^All times of (\S+): [^|]*\n\n((?:\|.*\n)+)", PAGE, re.M):
-        for line in lines.splitlines()[2:]:
-            fractal, precision, mode, label, kernel, *speeds = (cell.strip() for cell in line.split("|")[1:8])
-            backend, scalar, _ = label.removesuffix(" (1 thread)").partition("-scalar")
-            name = f"{fractal}/{precision}/{mode}/{backend}/0{scalar and '/simd-width=1'}"
-            yield file, name, kernel, functools.partial(milliseconds, name)
-            for text, base in zip(speeds, (f"{fractal}/double/exact/reference/0", f"{fractal}/{precision}/{mode}/openmp/0/simd-width=1")):
+    """Yields (file, name of a row, the page's text, function of the file's rows) for each time in the tables of the
+    standard study."""
+    for table in re.findall(r"^Kernel ms:\n\n((?:\|.*\n)+)", PAGE, re.M):
+        (file, *applications), _, *rows = ([cell.strip() for cell in line.split("|")[1:-1]] for line in table.splitlines())
+        for kind, *cells in rows:
+            for application, text in zip(applications, cells):
+                backend, scalar, _ = application.partition("-scalar")
+                name = f"{kind.replace(', ', '/')}/{backend}/0{scalar and '/simd-width=1'}"
                 if "[" in text:
-                    yield file, name, text, functools.partial(speed_up, name, base)
+                    yield file, name, text, functools.partial(milliseconds, name)
 
 
 def wrong(check, rows):

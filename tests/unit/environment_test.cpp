@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/environment.md has the same table of environment variables as core/base/environment.h. Only
-// core/base/environment.cpp reads the environment.
+// Only core/base/environment.cpp reads the environment, through the table of environment.h.
 #include "core/base/environment.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <vector>
 
 #include "core/base/error.h"
@@ -25,24 +23,6 @@ std::string content_of(const fs::path& file)
 {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-TEST(Environment, ItsTableIsThatOfTheDocumentation)
-{
-    std::istringstream page(content_of(source_folder / "docs/environment.md"));
-    std::string line;
-    while (std::getline(page, line) && !line.starts_with("|--")) {
-    }
-    for (const Variables& row : variables) {
-        std::string expected;
-        for (const char* name : row.names) {
-            if (name != nullptr) expected += (expected.empty() ? "| `" : ", `") + std::string(name) + "`";
-        }
-        expected.append(" | ").append(row.readers).append(row.recorded ? " *" : "").append(" | ").append(row.meaning);
-        ASSERT_TRUE(std::getline(page, line));
-        EXPECT_TRUE(line.starts_with(expected)) << line << "\nexpected: " << expected;
-    }
-    EXPECT_TRUE(std::getline(page, line) && line.empty()) << "not in the table: " << line;
 }
 
 TEST(Environment, IsReadThroughItsTable)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts that simulate the user. A line is the name of an action, or a command that presses keys, moves the mouse or
-// waits for results; docs/explore.md lists them.
+// Scripts that simulate the user. A line is the name of an action (actions.h), or a command of script.cpp that presses
+// keys, moves the mouse or waits for results.
 #pragma once
 
 #include <functional>
