@@ -16,6 +16,7 @@
 #include "apps/scene_options.h"
 #include "apps/stats.h"
 #include "apps/survey.h"
+#include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/environment.h"
 #include "core/base/error.h"
@@ -368,10 +369,10 @@ int render_program(const Registry& registry, const char* program, const char* fr
 
 }  // namespace
 
-int renderer_main(const char* program, const char* fractal, Registry (*backends)(int, char**), int argc, char** argv)
+int renderer_main(const char* program, const char* fractal, int argc, char** argv)
 {
     const auto body = [&](int count, char** values) {
-        return render_program(backends(count, values), program, fractal, count, values);
+        return render_program(program_backends(count, values), program, fractal, count, values);
     };
     return run_program(program, body, argc, argv);
 }
