@@ -187,6 +187,68 @@ TEST(ExploreActions, NamesAndKeysAreUnique)
     EXPECT_EQ(action_named("fly"), nullptr);
 }
 
+// A model with the openmp backend alone, whose files go to a folder of its own, and the desktop of a test.
+class ExploreModel : public testing::Test, public Desktop {
+protected:
+    std::string clipboard() const override { return ""; }
+    void set_clipboard(const std::string&) const override {}
+    void toggle_full_screen() override {}
+    bool toggle_panel_focus() override { return false; }
+
+    void perform(const char* action) { action_named(action)->perform(model, *this); }
+
+    const TemporaryFolder folder;
+    Settings settings{.setup = {"openmp", 0, Precision::f64, Mode::exact}};
+    // Tasks may use the registry until the process ends.
+    const Registry& registry = *new Registry([] {
+        std::vector<std::unique_ptr<Backend>> backends;
+        backends.push_back(make_openmp_backend());
+        return backends;
+    }());
+    Model model{registry, settings, folder.path(), official("box")};
+};
+
+TEST_F(ExploreModel, ASavedPictureIsThatOfItsParameterFile)
+{
+    model.picture_width = 100;
+    model.picture_height = 60;
+    perform("save-picture");
+    while (model.picture.running()) model.take_news();
+    const std::string name = folder.path() / "picture-001";
+    const Scene scene = read_view(name + ".dat", fractal_named("bulb"));
+    const Image saved = read_image(name + ".png");
+    EXPECT_TRUE(compare(saved, render(*registry.find("openmp"), scene, {})).same()) << model.said();
+    EXPECT_FALSE(compare(saved, render(*registry.find("openmp"), scene, {.mode = Mode::fast})).same());
+}
+
+TEST_F(ExploreModel, AFileKeepsItsLookAndAWrongFileTheView)
+{
+    const std::string file = folder.path() / "view.dat";
+    Scene plain = official("bulb");
+    plain.colouring = 1;
+    std::ofstream(file) << view_text(plain);
+    model.open(file);
+    perform("reset-view");
+    EXPECT_EQ(model.view.scene().fractal->name, "mandelbulb");
+    EXPECT_EQ(model.view.scene().colouring, 1);
+    std::ofstream(file) << "1 2 3\n1 2\n";
+    model.open(file);
+    EXPECT_EQ(model.view.scene().colouring, 1);
+    EXPECT_TRUE(model.said().starts_with(file + ":2: ")) << model.said();
+}
+
+TEST_F(ExploreModel, StartViewsFollowOneAnother)
+{
+    std::set<std::string> said;
+    for (std::size_t i = 0; i < start_views().size(); ++i) {
+        perform("next-view");
+        said.insert(model.said());
+    }
+    EXPECT_EQ(said.size(), start_views().size());
+    perform("next-view");
+    EXPECT_EQ(model.said(), fmt::format("{}, {}", start_views()[0].name, start_views()[0].fractal));
+}
+
 TEST(ExploreViews, ANarrowPaneShowsTheWidthOfThePictureThatFillsTheWindow)
 {
     ShownView view(official("box"), {});

@@ -11,7 +11,6 @@
 #include <numeric>
 #include <thread>
 #include <tuple>
-#include <utility>
 
 #include "apps/explore/view/panels.h"
 #include "core/base/stopwatch.h"
@@ -226,7 +225,6 @@ void Explorer::show()
         if (texture != nullptr) SDL_RenderCopy(window_.renderer(), texture, nullptr, &place);
     }
     window_.draw_panels();
-    if (!shot_.empty()) model_.attempt([&] { window_.shoot(std::exchange(shot_, {})); });
     window_.present();
 }
 
@@ -236,25 +234,17 @@ std::string Explorer::state() const
     Json drawn = Json::array();
     for (const Pane& pane : panes_.all()) {
         drawn.push_back({{"setup", name_of(pane.setup)},
-                         {"view", pane.view},
                          {"samples", pane.samples},
-                         {"seconds", pane.seconds},
                          {"failure", pane.failure},
-                         {"differing", pane.compared ? Json(pane.compared->differing) : Json()},
-                         {"visibly", pane.compared ? Json(pane.compared->visibly_differing) : Json()}});
+                         {"differing", pane.compared ? Json(pane.compared->differing) : Json()}});
     }
     const PathEditor& path_editor = model_.path_editor;
     const auto broken =
         std::ranges::count_if(path_editor.rows(), [](const Row& row) { return row.promise && !row.kept(); });
     const Scene& scene = model_.view.scene();
-    const Json json{{"frame", frame_},
-                    {"view", model_.view.version()},
-                    {"fractal", scene.fractal->name},
+    const Json json{{"fractal", scene.fractal->name},
                     {"colouring", scene.colouring},
                     {"eye", {scene.eye.x, scene.eye.y, scene.eye.z}},
-                    {"field_of_view", scene.field_of_view},
-                    {"shown_field_of_view", model_.view.shown().field_of_view},
-                    {"clearance", clearance_},
                     {"panes", drawn},
                     {"said", model_.said()},
                     {"path",

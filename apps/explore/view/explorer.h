@@ -25,8 +25,6 @@ public:
     bool at_rest() const { return !moving_ && !panes_.missing() && !panes_.drawing(); }
     // Returns the state as one line of JSON.
     std::string state() const;
-    // Requests that a screenshot is written to `file` at the end of this frame.
-    void shoot(const std::string& file) { shot_ = file; }
 
 private:
     void tick();
@@ -45,7 +43,6 @@ private:
     Panes panes_;
     Input input_;
     std::deque<float> intervals_;  // seconds between frames, of the last ten seconds
-    std::string shot_;
     bool moving_ = false;
     bool flew_ = false;
     std::uint64_t frame_ = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts that simulate the user. A line is the name of an action, or a command that presses keys, moves the mouse or
-// waits for results; docs/explore.md lists them.
+// Scripts that simulate the user, for tests. A line is the name of an action or a command of docs/explore.md.
 #pragma once
 
 #include <functional>

@@ -36,8 +36,6 @@ public:
     void begin();                              // begins a frame: clears the window, and begins Dear ImGui's frame
     void draw_panels();                        // ends Dear ImGui's frame, and draws the panels
     void present() const;
-    // Writes the window's content as a PNG file. Must be called after draw_panels(). Throws Error if that fails.
-    void shoot(const std::string& file) const;
 
     std::string clipboard() const override;
     void set_clipboard(const std::string& text) const override;
