@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of the explorer that need no window.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <set>
 
 #include "apps/explore/actions/actions.h"
+#include "backends/openmp/openmp.h"
 #include "apps/explore/model/path_editor.h"
 #include "apps/explore/model/export.h"
 #include "apps/explore/model/motion.h"
@@ -21,11 +23,14 @@
 #include "apps/explore/model/smooth.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/image/compare.h"
+#include "core/image/formats/image_file.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
 #include "flight/path/places.h"
+#include "tests/scenes.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -190,8 +195,6 @@ TEST(ExploreActions, NamesAndKeysAreUnique)
 // A model with the openmp backend alone, whose files go to a folder of its own, and the desktop of a test.
 class ExploreModel : public testing::Test, public Desktop {
 protected:
-    std::string clipboard() const override { return ""; }
-    void set_clipboard(const std::string&) const override {}
     void toggle_full_screen() override {}
     bool toggle_panel_focus() override { return false; }
 

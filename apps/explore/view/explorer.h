@@ -2,7 +2,6 @@
 // The main loop: passes the user's input to the model, renders the view and shows it.
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <string>
 
@@ -35,14 +34,12 @@ private:
     double budget() const;
     void show_panels();
     void show();
-    void note_interval(double seconds);
     void wait_if_idle();
 
     Model& model_;
     Window& window_;
     Panes panes_;
     Input input_;
-    std::deque<float> intervals_;  // seconds between frames, of the last ten seconds
     bool moving_ = false;
     bool flew_ = false;
     std::uint64_t frame_ = 0;
@@ -51,7 +48,7 @@ private:
     std::uint64_t seen_ = 0;     // version of the view at whose eye `clearance_` was computed
     double clearance_ = 0;
     double showing_ = 0.004;  // average time of a frame that is not spent on rendering, in seconds
-    Moment last_{}, presented_{}, due_{};
+    Moment last_{}, due_{};
 };
 
 }  // namespace mandelmarch::explore

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "apps/explore/view/panels.h"
 #include "apps/scene_json.h"
@@ -18,7 +17,6 @@ namespace {
 
 constexpr float width_in_letters = 44;   // width of the panel
 constexpr float most_of_window = 0.55F;  // largest fraction of the window's width for the panel
-constexpr float graph_height = 48;       // pixels
 
 // The items that edit the scene. Each shows a property of `scene`, which is a copy of the view's scene.
 class SceneItems {
@@ -184,7 +182,7 @@ void setup_items(Model& model)
 
 void export_items(Model& model, Desktop& desktop)
 {
-    show_buttons(model, desktop, {{"save-view"}, {"copy"}, {"paste"}});
+    show_buttons(model, desktop, {{"save-view"}});
     int size[2] = {model.picture_width, model.picture_height};
     if (ImGui::InputInt2("picture size", size)) {
         model.picture_width = std::clamp(size[0], 1, max_side);
@@ -193,22 +191,6 @@ void export_items(Model& model, Desktop& desktop)
     if (!model.picture.running()) return show_buttons(model, desktop, {{"save-picture"}});
     ImGui::ProgressBar(static_cast<float>(model.picture.progress()));
     show_buttons(model, desktop, {{"cancel-picture"}});
-}
-
-void graph(const std::deque<float>& intervals)
-{
-    if (intervals.empty()) return;
-    const double total = std::accumulate(intervals.begin(), intervals.end(), 0.0);
-    ImGui::PlotLines(
-        "##frames",
-        [](void* data, int at) {
-            return 1000 * (*static_cast<const std::deque<float>*>(data))[static_cast<std::size_t>(at)];
-        },
-        const_cast<std::deque<float>*>(&intervals), static_cast<int>(intervals.size()), 0,
-        fmt::format("{:.0f} frames per second over the last ten seconds; top 50 ms",
-                    static_cast<double>(intervals.size()) / total)
-            .c_str(),
-        0, 50, ImVec2(-1, graph_height));
 }
 
 }  // namespace
@@ -230,7 +212,7 @@ float panel_width(int window_width)
     return std::round(std::min(width_in_letters * letter * 0.6F, most_of_window * static_cast<float>(window_width)));
 }
 
-void show_panel(Model& model, Desktop& desktop, const std::deque<float>& intervals, float width, bool focus)
+void show_panel(Model& model, Desktop& desktop, float width, bool focus)
 {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y});
@@ -254,7 +236,6 @@ void show_panel(Model& model, Desktop& desktop, const std::deque<float>& interva
         model.settings.scale = static_cast<double>(scale);
         ImGui::GetIO().FontGlobalScale = scale;
     }
-    graph(intervals);
     ImGui::PopItemWidth();
     ImGui::End();
 }

@@ -42,8 +42,7 @@ bool carry_out(const ScriptLine& line, Model& model, Window& window, Explorer& e
         return done;
     }
     if (line.name == "rest") {
-        const bool audited = !model.path_editor.has_path() || !model.path_editor.stale();
-        return line.frame > 1 && explorer.at_rest() && !model.tasks_running() && audited;
+        return line.frame > 1 && explorer.at_rest() && !model.tasks_running();
     }
     if (line.name == "tell") {
         print("{}", explorer.state());
@@ -64,8 +63,7 @@ ScriptLine parsed(const std::string& text)
         line.key = SDL_GetKeyFromName(key.c_str());
         if (line.key == SDLK_UNKNOWN) throw InputError(fmt::format("'{}' is not the name of a key", key));
         line.frames = whole_option("hold", frames, 1, longest);
-    } else if (!key.empty() ||
-               (line.name != "rest" && line.name != "tell" && action_named(line.name) == nullptr)) {
+    } else if (!key.empty() || (line.name != "rest" && line.name != "tell" && action_named(line.name) == nullptr)) {
         throw InputError(fmt::format("'{}', expected hold KEY FRAMES, rest, tell or the name of an action", text));
     }
     return line;

@@ -200,17 +200,6 @@ void Window::draw_panels()
 
 void Window::present() const { SDL_RenderPresent(renderer_); }
 
-std::string Window::clipboard() const
-{
-    const std::unique_ptr<char, void (*)(void*)> text(SDL_GetClipboardText(), SDL_free);
-    return text != nullptr ? text.get() : "";
-}
-
-void Window::set_clipboard(const std::string& text) const
-{
-    if (SDL_SetClipboardText(text.c_str()) != 0) throw Error(fmt::format("clipboard: {}", SDL_GetError()));
-}
-
 void Window::toggle_full_screen()
 {
     const bool is = (SDL_GetWindowFlags(window_) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;

@@ -37,8 +37,6 @@ public:
     void draw_panels();                        // ends Dear ImGui's frame, and draws the panels
     void present() const;
 
-    std::string clipboard() const override;
-    void set_clipboard(const std::string& text) const override;
     void toggle_full_screen() override;
     bool toggle_panel_focus() override;
     // Returns true at the first call after toggle_panel_focus() has moved the keyboard to the panel; otherwise false.
