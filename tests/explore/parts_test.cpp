@@ -23,14 +23,11 @@
 #include "apps/explore/model/smooth.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
-#include "core/image/compare.h"
-#include "core/image/formats/image_file.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/audit/audit.h"
 #include "flight/path/places.h"
-#include "tests/scenes.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -210,19 +207,6 @@ protected:
     }());
     Model model{registry, settings, folder.path(), official("box")};
 };
-
-TEST_F(ExploreModel, ASavedPictureIsThatOfItsParameterFile)
-{
-    model.picture_width = 100;
-    model.picture_height = 60;
-    perform("save-picture");
-    while (model.picture.running()) model.take_news();
-    const std::string name = folder.path() / "picture-001";
-    const Scene scene = read_view(name + ".dat", fractal_named("bulb"));
-    const Image saved = read_image(name + ".png");
-    EXPECT_TRUE(compare(saved, render(*registry.find("openmp"), scene, {})).same()) << model.said();
-    EXPECT_FALSE(compare(saved, render(*registry.find("openmp"), scene, {.mode = Mode::fast})).same());
-}
 
 TEST_F(ExploreModel, AFileKeepsItsLookAndAWrongFileTheView)
 {

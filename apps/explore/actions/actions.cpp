@@ -103,15 +103,6 @@ void save_place(Model& model, Desktop& /*desktop*/)
                           scene.fractal->name, official_shape ? "" : " --params VIEW.dat (saved with Ctrl+S)", name));
 }
 
-void save_picture(Model& model, Desktop& /*desktop*/)
-{
-    Scene scene = model.view.scene();
-    scene.width = model.picture_width;
-    scene.height = model.picture_height;
-    model.picture.start(model.registry, model.view.setup(), scene, free_name(model.folder, "picture"));
-    model.say("drawing a picture");
-}
-
 void record(Model& model, Desktop& /*desktop*/)
 {
     if (model.path_editor.recording()) {
@@ -133,7 +124,7 @@ void save_path(Model& model, Desktop& /*desktop*/)
 void film_path(Model& model, Desktop& /*desktop*/)
 {
     model.path_editor.film(model.registry, model.view.setup(), free_name(model.folder, "film") + ".mp4",
-                           model.picture_width, model.picture_height);
+                           model.film_width, model.film_height);
     model.say("filming");
 }
 
@@ -206,9 +197,8 @@ constexpr std::array table{
     Action{"walls", "C", "switch between flying through walls and stopping at them", toggle_walls, over_pictures},
     Action{"undo", "Ctrl+Z", "undo", [](Model& m, Desktop&) { after_undo(m, m.view.undo(), "undo"); }},
     Action{"redo", "Ctrl+Y", "redo", [](Model& m, Desktop&) { after_undo(m, m.view.redo(), "redo"); }},
-    Action{"save-view", "Ctrl+S", "save the view as a parameter file", save_view},
+    Action{"save-view", "Ctrl+S", "save the view as a parameter file for bin/render", save_view},
     Action{"save-place", "Ctrl+N", "add the view to the places that a film visits", save_place},
-    Action{"save-picture", "Ctrl+P", "save a picture at the size set in the panel", save_picture},
     Action{"record", "Ctrl+R", "record a path, or end the recording", record},
     Action{"smooth", "Ctrl+L", "smooth the path", [](Model& m, Desktop&) { m.path_editor.smooth(); }},
     Action{"save-path", "Ctrl+D", "save the path", save_path},
@@ -220,8 +210,6 @@ constexpr std::array table{
     Action{"frame-forwards", ".", "one frame forwards", step<1>, repeated},
     Action{"second-back", "PageUp", "one second back", step<-30>, over_pictures},
     Action{"second-forwards", "PageDown", "one second forwards", step<30>, over_pictures},
-    Action{"cancel-picture", "", "cancel the picture that is being saved",
-           [](Model& m, Desktop&) { m.picture.cancel(); }},
     Action{"quit", "Ctrl+Q", "quit", [](Model& m, Desktop&) { m.quit = true; }},
 };
 

@@ -8,7 +8,6 @@
 
 #include "apps/explore/view/panels.h"
 #include "apps/scene_json.h"
-#include "core/image/image.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 
@@ -180,19 +179,6 @@ void setup_items(Model& model)
     two_choices(model, "fast", "exact", now.mode == Mode::fast, with_other_mode(now));
 }
 
-void export_items(Model& model, Desktop& desktop)
-{
-    show_buttons(model, desktop, {{"save-view"}});
-    int size[2] = {model.picture_width, model.picture_height};
-    if (ImGui::InputInt2("picture size", size)) {
-        model.picture_width = std::clamp(size[0], 1, max_side);
-        model.picture_height = std::clamp(size[1], 1, max_side);
-    }
-    if (!model.picture.running()) return show_buttons(model, desktop, {{"save-picture"}});
-    ImGui::ProgressBar(static_cast<float>(model.picture.progress()));
-    show_buttons(model, desktop, {{"cancel-picture"}});
-}
-
 }  // namespace
 
 void show_buttons(Model& model, Desktop& desktop, std::initializer_list<Button> row)
@@ -227,7 +213,7 @@ void show_panel(Model& model, Desktop& desktop, float width, bool focus)
         flight_items(model.motion);
         show_buttons(model, desktop, {{"reset-view"}, {"undo"}, {"redo"}});
     }
-    if (ImGui::CollapsingHeader("save and export", ImGuiTreeNodeFlags_DefaultOpen)) export_items(model, desktop);
+    show_buttons(model, desktop, {{"save-view"}, {"save-place"}});
     ImGui::Checkbox("paths", &model.paths);
     ImGui::SameLine();
     ImGui::Checkbox("statistics", &model.settings.statistics);

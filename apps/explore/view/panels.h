@@ -12,7 +12,7 @@
 
 namespace mandelmarch::explore {
 
-// Shows the panel at the left: view, fractal, backend, export. `focus`: true to move the keyboard to the panel.
+// Shows the panel at the left: view, fractal, backend. `focus`: true to move the keyboard to the panel.
 void show_panel(Model& model, Desktop& desktop, float width, bool focus);
 
 // Returns the width of the panel at the left. `window_width`: the window's width. Both are in pixels.

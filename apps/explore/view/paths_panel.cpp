@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "apps/explore/view/panels.h"
+#include "core/image/image.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -48,6 +49,9 @@ void show_paths(Model& model, Desktop& desktop, float left)
             model.show_path();
         }
         show_buttons(model, desktop, {{"play-or-stop", path_editor.playing ? "stop" : "play"}, {"smooth"}});
+        number_field("width", model.film_width, 16, max_side);
+        ImGui::SameLine();
+        number_field("height", model.film_height, 16, max_side);
         show_buttons(model, desktop, {{"save-path"}, {"film"}});
     }
     number_field("seed", model.tour_seed, 0, std::numeric_limits<int>::max());
