@@ -185,17 +185,17 @@ void choose_part(const Path& path, Flythrough& options)
     if (!options.part.whole()) options.chosen = frames_of(path, options.part, options.threads);
 }
 
-// Plans or reads the path and returns it as text. Chooses the frames of the options' part. Called on rank 0 only.
-std::string path_text(Flythrough& options, const Backend& backend, const RendererOptions& renderer)
+// Plans or reads the path. Chooses the frames of the options' part. Called on rank 0 only.
+Path path_of(Flythrough& options, const Backend& backend, const RendererOptions& renderer)
 {
     if (options.stills.empty()) check_ffmpeg(container_of(options.output));
     if (options.reads_path()) {
         const Path path = read_path(options.path);
         choose_part(path, options);
-        const Path rendered = rendered_path(path, options);
+        Path rendered = rendered_path(path, options);
         check_pictures(options, renderer, rendered.frames.size(), path.frames_per_second);
         refuse_broken(path, options);
-        return to_text(rendered);
+        return rendered;
     }
     const auto frames = static_cast<std::size_t>(options.frames);
     check_pictures(options, renderer, options.stills.empty() ? (frames - 1) / options.every + 1 : frames, options.rate);
@@ -204,7 +204,7 @@ std::string path_text(Flythrough& options, const Backend& backend, const Rendere
     write_map(options, made);
     show_audit(options, made.path, made.seconds, backend, renderer);
     choose_part(made.path, options);
-    return to_text(rendered_path(made.path, options));
+    return rendered_path(made.path, options);
 }
 
 int render(const Flythrough& options, const Path& path, const Backend& backend, const RendererOptions& renderer,
@@ -247,8 +247,12 @@ int run(const Registry& registry, Flythrough options)
         const RendererOptions renderer = renderer_of(options, backend, *ranks);
         // Throws here, before planning, if the device is missing.
         static_cast<void>(backend.create(renderer));
-        const std::string text = ranks->share(ranks->rank() == 0 ? path_text(options, backend, renderer) : "");
-        const Path path = path_from_text(text, options.path.empty() ? "the path" : options.path);
+        Path path;
+        if (ranks->rank() == 0) path = path_of(options, backend, renderer);
+        if (ranks->size() > 1) {
+            const std::string text = ranks->share(ranks->rank() == 0 ? to_text(path) : "");
+            if (ranks->rank() != 0) path = path_from_text(text, "the path");
+        }
         // With --every, rank 0 has shared the chosen frames alone.
         if (ranks->rank() != 0 && rendered_whole(options)) choose_part(path, options);
         return render(options, path, backend, renderer, *ranks);

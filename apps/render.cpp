@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/renderer_app.h"
-#include "backends/all.h"
 
-int render_main(int argc, char** argv)
-{
-    return mandelmarch::renderer_main("render", nullptr, mandelmarch::program_backends, argc, argv);
-}
+int render_main(int argc, char** argv) { return mandelmarch::renderer_main("render", nullptr, argc, argv); }

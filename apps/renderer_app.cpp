@@ -16,6 +16,7 @@
 #include "apps/scene_options.h"
 #include "apps/stats.h"
 #include "apps/survey.h"
+#include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/environment.h"
 #include "core/base/error.h"
@@ -72,6 +73,11 @@ struct Options {
 // Throws InputError if an option was given that has no effect in what the program does.
 void refuse_unused(const CLI::App& app, const Options& options)
 {
+    // The hull is the only technique of exact mode.
+    const std::string without = disabled(options.renderer.techniques);
+    if (options.renderer.mode == Mode::exact && !without.empty() && without != "hull") {
+        throw InputError(fmt::format("--without: '{}' given, expected hull, or --mode fast", options.without));
+    }
     if (options.list_devices) refuse_others(app, "--list-devices", {"--list-devices"});
     if (options.list_fractals) refuse_others(app, "--list-fractals", {"--list-fractals", "--json"});
     std::vector<std::string> taken{"PARAMS",     "--fractal",   "--size", "--projection",
@@ -82,10 +88,8 @@ void refuse_unused(const CLI::App& app, const Options& options)
     }
     if (!options.trace) return;
     taken.insert(taken.end(), {"--trace", "--pixel"});
-    RendererOptions renderer = options.renderer;
-    renderer.techniques = techniques_without(options.without);
     // Only a trial uses a backend.
-    if (is_tried(renderer)) taken.insert(taken.end(), {"--backend", "--device", "--threads", "--simd-width"});
+    if (is_tried(options.renderer)) taken.insert(taken.end(), {"--backend", "--device", "--threads", "--simd-width"});
     refuse_others(app, "--trace", taken);
 }
 
@@ -155,8 +159,8 @@ Options parse_options(const char* program, const char* fractal, const Registry& 
         ((Image::bytes_per_pixel(Image::Layers::bytes) << 28) + fixed_memory) >> 20, environment_help(program)));
     done = parse_arguments(app, program, argc, argv);
     if (done) return options;
-    refuse_unused(app, options);
     options.renderer.techniques = techniques_without(options.without);
+    refuse_unused(app, options);
     options.parameters = input_name(options.parameters);
     options.output = output_name(options.output);
     options.stats = output_name(options.stats);
@@ -368,10 +372,10 @@ int render_program(const Registry& registry, const char* program, const char* fr
 
 }  // namespace
 
-int renderer_main(const char* program, const char* fractal, Registry (*backends)(int, char**), int argc, char** argv)
+int renderer_main(const char* program, const char* fractal, int argc, char** argv)
 {
     const auto body = [&](int count, char** values) {
-        return render_program(backends(count, values), program, fractal, count, values);
+        return render_program(program_backends(count, values), program, fractal, count, values);
     };
     return run_program(program, body, argc, argv);
 }

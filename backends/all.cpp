@@ -13,7 +13,6 @@
 #include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/isolation/isolated.h"
-#include "core/render/trial.h"
 
 namespace mandelmarch {
 
@@ -63,8 +62,6 @@ Registry backends_of(bool isolates_drivers, const std::vector<std::string>& open
             backends.push_back(without_backend(backend->name(), "left out by MANDELMARCH_BACKENDS"));
             return;
         }
-        // The reference backend needs no trial renders (core/render/trial.h), because its steps are short enough.
-        if (info.role != Role::reference && info.argument.empty()) backend = with_trials(std::move(backend));
         if (info.has_driver && isolates_drivers) backend = isolated(std::move(backend));
         backends.push_back(std::move(backend));
     };

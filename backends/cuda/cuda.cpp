@@ -77,7 +77,7 @@ public:
                 .peak_threads = 1 << 21};
     }
 
-    void run(const RendererOptions& options, const std::function<void()>& draw) const override
+    job::Selection select(const RendererOptions& options) const override
     {
         void* context = nullptr;
         {
@@ -92,7 +92,7 @@ public:
         }
         check(driver().use(context), "using the device");
         MM_MODEL::use_blocks_of(options.block_size);
-        draw();
+        return nullptr;
     }
 
     double seconds_of(const std::function<void()>& launch) const override

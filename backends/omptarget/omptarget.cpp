@@ -81,6 +81,20 @@ job::Chains* chains(std::string_view precision)
     return reinterpret_cast<job::Chains*>(symbol(fmt::format("peak_{}", precision)));
 }
 
+// Restores the calling thread's device and number of threads.
+struct Selected {
+    int device = omp_get_default_device();
+    int threads = omp_get_max_threads();
+    Selected() = default;
+    ~Selected()
+    {
+        omp_set_num_threads(threads);
+        omp_set_default_device(device);
+    }
+    Selected(const Selected&) = delete;
+    Selected& operator=(const Selected&) = delete;
+};
+
 // Device numbers are OpenMP's: the devices come first, and the host's number is the number of devices.
 class Omptarget : public job::Model {
 public:
@@ -115,15 +129,12 @@ public:
                 .note = fmt::format("runs on the {}", name)};
     }
 
-    void run(const RendererOptions& options, const std::function<void()>& draw) const override
+    job::Selection select(const RendererOptions& options) const override
     {
-        const int device = omp_get_default_device();
-        const int threads = omp_get_max_threads();
+        auto selected = std::make_shared<Selected>();
         omp_set_default_device(options.device);
         omp_set_num_threads(options.threads > 0 ? options.threads : usable_threads());
-        draw();
-        omp_set_num_threads(threads);
-        omp_set_default_device(device);
+        return selected;
     }
     int threads(const RendererOptions& options, const job::OpenedDevice& opened) const override
     {

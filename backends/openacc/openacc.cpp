@@ -95,10 +95,10 @@ public:
                 .note = fmt::format("runs on the {}", name)};
     }
 
-    void run(const RendererOptions& options, const std::function<void()>& draw) const override
+    job::Selection select(const RendererOptions& options) const override
     {
         use(options.device);
-        draw();
+        return nullptr;
     }
 
     double seconds_of(const std::function<void()>& launch) const override

@@ -214,7 +214,7 @@ public:
         return devices;
     }
 
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         return std::make_unique<OpenclRenderer>(device_of(options), options);
     }

@@ -253,7 +253,7 @@ public:
     }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {host_device()}; }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         if (options.device != 0) {
             throw Unavailable(fmt::format("backend openmp: there is no device {}, only device 0", options.device));

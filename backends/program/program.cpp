@@ -251,7 +251,7 @@ public:
     BackendInfo info() const override { return {.foreign = command_.foreign, .replays = true}; }
     std::optional<std::string> unavailable() const override { return {}; }
     std::vector<Device> devices() const override { return {command_.device}; }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         return std::make_unique<ProgramRenderer>(command_, options);
     }
@@ -288,7 +288,7 @@ public:
     BackendInfo info() const override { return {.argument = "PROGRAM"}; }
     std::optional<std::string> unavailable() const override { return "expected program:PROGRAM"; }
     std::vector<Device> devices() const override { return {}; }
-    std::unique_ptr<Renderer> create(const RendererOptions&) const override { throw Unavailable(*unavailable()); }
+    std::unique_ptr<Renderer> do_create(const RendererOptions&) const override { throw Unavailable(*unavailable()); }
 
     std::unique_ptr<Backend> with_argument(const std::string& text) const override
     {

@@ -274,7 +274,7 @@ public:
     {
         return scene.colouring <= 1 && ReferenceRenderer::knows(*scene.fractal);
     }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         if (options.device != 0) {
             throw Unavailable(fmt::format("backend reference: there is no device {}, only device 0", options.device));

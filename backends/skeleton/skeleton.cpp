@@ -109,7 +109,7 @@ public:
     }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {only_device()}; }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         if (options.device != 0) {
             throw Unavailable(fmt::format("backend skeleton: there is no device {}, only device 0", options.device));

@@ -41,11 +41,11 @@ public:
     }
 
     // Sets the number of threads with TBB, because the C++ standard has no function for it.
-    void run(const RendererOptions& options, const std::function<void()>& draw) const override
+    job::Selection select(const RendererOptions& options) const override
     {
         const int most = options.threads == 0 ? usable_threads() : options.threads;
-        const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(most));
-        draw();
+        return std::make_shared<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                     static_cast<std::size_t>(most));
     }
     int threads(const RendererOptions& options, const job::OpenedDevice& opened) const override
     {

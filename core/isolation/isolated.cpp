@@ -151,7 +151,7 @@ public:
 
     bool draws(const Scene& scene) const override { return backend_->draws(scene); }
 
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         return std::make_unique<IsolatedRenderer>(host(options.device), options);
     }

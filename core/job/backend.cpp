@@ -38,7 +38,8 @@ public:
     ~JobRenderer() override
     {
         try {
-            model_->run(options_, [&] { memory_.reset(); });
+            const Selection selection = model_->select(options_);
+            memory_.reset();
         } catch (const Error&) {
             // A lost device has lost its memory, so the buffers are not freed.
             static_cast<void>(memory_.release());
@@ -67,25 +68,24 @@ private:
                            .timings = {},
                            .work = {}};
         timed(report.timings.wall, [&] {
-            model_->run(options_, [&] {
-                DrawKernel* const launch = launch_of(scene);
-                if (!built_.contains(launch)) {
-                    timed(report.timings.build, [&] { built_[launch] = model_->build(launch); });
-                }
-                report.kernels = built_.at(launch);
-                Limits limits = limits_for(scene, pixel_bytes<Real>);
-                limits.starts = starts_for(scene);
-                if (has_starts(limits.starts) && limits.seconds_per_band > 0) {
-                    limits.pixels_per_band = limits.pixels_to_fill = std::min(limits.pixels_per_band, fixed_band);
-                }
-                std::optional<BandExecutor<Real>> executor;
-                timed(report.timings.upload, [&] {
-                    executor.emplace(*model_, opened_, *memory_, launch, scene, options_, limits,
-                                     bytes_alone(image, options_), report.timings);
-                });
-                run_schedule(scene, options_.mode, limits, *executor, image, progress);
-                report.work = executor->work();
+            const Selection selection = model_->select(options_);
+            DrawKernel* const launch = launch_of(scene);
+            if (!built_.contains(launch)) {
+                timed(report.timings.build, [&] { built_[launch] = model_->build(launch); });
+            }
+            report.kernels = built_.at(launch);
+            Limits limits = limits_for(scene, pixel_bytes<Real>);
+            limits.starts = starts_for(scene);
+            if (has_starts(limits.starts) && limits.seconds_per_band > 0) {
+                limits.pixels_per_band = limits.pixels_to_fill = std::min(limits.pixels_per_band, fixed_band);
+            }
+            std::optional<BandExecutor<Real>> executor;
+            timed(report.timings.upload, [&] {
+                executor.emplace(*model_, opened_, *memory_, launch, scene, options_, limits,
+                                 bytes_alone(image, options_), report.timings);
             });
+            run_schedule(scene, options_.mode, limits, *executor, image, progress);
+            report.work = executor->work();
         });
         report.timings.context = context_;
         return report;
@@ -168,7 +168,7 @@ public:
         return all;
     }
 
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         const OpenedInTime found = asked_for(options);
         if (!found.opened.note.empty()) say("backend {}: {}\n", name(), found.opened.note);
@@ -179,16 +179,13 @@ public:
     {
         const int threads = asked_for(options).opened.peak_threads;
         Chains* const chains = model_->kernels().chains(name_of(options.precision));
-        double rate = 0;
-        model_->run(options, [&] {
-            DeviceMemory memory(*model_);
-            void* sums = memory.of_size(static_cast<std::size_t>(threads) * sizeof(double));
-            const PeakRun run = [&](int rounds) {
-                return model_->seconds_of([&] { chains(sums, threads, peak_factor, peak_addend, rounds); });
-            };
-            rate = highest_rate(run, threads);
-        });
-        return rate;
+        const Selection selection = model_->select(options);
+        DeviceMemory memory(*model_);
+        void* sums = memory.of_size(static_cast<std::size_t>(threads) * sizeof(double));
+        const PeakRun run = [&](int rounds) {
+            return model_->seconds_of([&] { chains(sums, threads, peak_factor, peak_addend, rounds); });
+        };
+        return highest_rate(run, threads);
     }
 
 private:

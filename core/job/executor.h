@@ -31,7 +31,8 @@ void timed(double& seconds, const Call& call)
     seconds += seconds_since(begin);
 }
 
-// A buffer that grows and is reused between pictures. It must be used and destroyed inside Model::run().
+// A buffer that grows and is reused between pictures. It must be used and destroyed while a selection of
+// Model::select() lives.
 template <auto take, auto give>
 class GrowingBuffer {
 public:

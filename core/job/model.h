@@ -37,7 +37,9 @@ struct Kernels {
     Chains* (*chains)(std::string_view precision);     // by name_of()
 };
 
-// A programming model.
+using Selection = std::shared_ptr<void>;
+
+// A programming model. The functions below select() are called while a selection lives.
 class Model {
 public:
     virtual ~Model() = default;
@@ -55,12 +57,12 @@ public:
     // Opens a device. Called once per device. Timings::context includes its duration.
     virtual OpenedDevice open(int index) const = 0;
 
-    // Selects the options' device and number of threads for the calling thread, and calls `draw`.
-    virtual void run(const RendererOptions&, const std::function<void()>& draw) const { draw(); }
-    // Returns the number of threads that run() uses.
+    // Selects the options' device and number of threads for the calling thread, until the returned object is destroyed.
+    virtual Selection select(const RendererOptions&) const { return nullptr; }
+    // Returns the number of threads that select() selects.
     virtual int threads(const RendererOptions&, const OpenedDevice& opened) const { return opened.threads; }
 
-    // Calls `launch`, inside run(), and waits until the device has finished. Returns the seconds, measured by the
+    // Calls `launch` and waits until the device has finished. Returns the seconds, measured by the
     // device's clock if it has one.
     virtual double seconds_of(const std::function<void()>& launch) const;
 

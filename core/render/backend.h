@@ -247,8 +247,9 @@ public:
         return nullptr;
     }
 
-    // Returns a renderer. Throws Unavailable if the device does not exist or does not support the options.
-    virtual std::unique_ptr<Renderer> create(const RendererOptions& options) const = 0;
+    // Returns a renderer. Throws Unavailable if the device does not exist or does not support the options. In fast mode
+    // a trial (core/render/trial.h) precedes each picture, unless the backend is a reference or another program.
+    std::unique_ptr<Renderer> create(const RendererOptions& options) const;
 
     // Returns the multiply-add peak (core/kernel/peak.h) of the device and the precision in the options, in operations
     // per second; nullopt if the backend cannot measure it or the device does not support the precision. Takes about a
@@ -258,6 +259,10 @@ public:
         static_cast<void>(options);
         return std::nullopt;
     }
+
+private:
+    // Like create(), but without a trial.
+    virtual std::unique_ptr<Renderer> do_create(const RendererOptions& options) const = 0;
 };
 
 }  // namespace mandelmarch

@@ -17,7 +17,7 @@ public:
     std::string_view name() const override { return name_; }
     std::optional<std::string> unavailable() const override { return why_; }
     std::vector<Device> devices() const override { return {}; }
-    std::unique_ptr<Renderer> create(const RendererOptions&) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions&) const override
     {
         throw Unavailable(fmt::format("backend {}: {}", name_, why_));
     }

@@ -47,31 +47,6 @@ private:
     std::unique_ptr<Renderer> renderer_;
 };
 
-class TrialBackend : public Backend {
-public:
-    explicit TrialBackend(std::unique_ptr<Backend> backend) : backend_(std::move(backend)) {}
-
-    std::string_view name() const override { return backend_->name(); }
-    BackendInfo info() const override { return backend_->info(); }
-    std::vector<InstalledDriver> installed_drivers() const override { return backend_->installed_drivers(); }
-    std::optional<std::string> unavailable() const override { return backend_->unavailable(); }
-    std::vector<Device> devices() const override { return backend_->devices(); }
-    bool draws(const Scene& scene) const override { return backend_->draws(scene); }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
-    {
-        auto renderer = backend_->create(options);
-        if (!is_tried(options)) return renderer;
-        return std::make_unique<TrialRenderer>(std::move(renderer));
-    }
-    std::optional<double> multiply_add_peak(const RendererOptions& options) const override
-    {
-        return backend_->multiply_add_peak(options);
-    }
-
-private:
-    std::unique_ptr<Backend> backend_;
-};
-
 }  // namespace
 
 bool Trial::settled() const { return off <= most_off; }
@@ -131,9 +106,13 @@ Trial try_steps(const Scene& scene, const Backend& backend, RendererOptions opti
     return try_steps(scene, [&](const Scene& small, Image& picture) { renderer->render(small, picture); });
 }
 
-std::unique_ptr<Backend> with_trials(std::unique_ptr<Backend> backend)
+std::unique_ptr<Renderer> Backend::create(const RendererOptions& options) const
 {
-    return std::make_unique<TrialBackend>(std::move(backend));
+    const BackendInfo properties = info();
+    if (!is_tried(options) || properties.role == Role::reference || properties.replays) return do_create(options);
+    RendererOptions untried = options;
+    untried.techniques.trial = false;
+    return std::make_unique<TrialRenderer>(do_create(untried));
 }
 
 }  // namespace mandelmarch

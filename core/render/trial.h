@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trial renders. In fast mode, steps can pass through the surface where the estimate is too large or discontinuous
 // (docs/fast-mode.md). A trial measures how often this happens: before the picture, it renders about a thousand pixels
-// with the usual steps and with shorter ones.
+// with the usual steps and with shorter ones. Backend::create() adds it, unless the scene has been tried
+// (StepLimits::tried). The picture's Timings include the trial; its Work does not.
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include "core/render/backend.h"
 
@@ -34,9 +34,5 @@ bool is_tried(const RendererOptions& options);
 
 // Runs the trial that the backend would run before the picture with these options.
 Trial try_steps(const Scene& scene, const Backend& backend, RendererOptions options);
-
-// Returns the backend with a trial before each picture in fast mode, unless the scene has been tried
-// (StepLimits::tried). Its Timings include the trial; its Work does not.
-std::unique_ptr<Backend> with_trials(std::unique_ptr<Backend> backend);
 
 }  // namespace mandelmarch

@@ -14,7 +14,6 @@
 #include "core/base/output_file.h"
 #include "core/image/formats/image_file.h"
 #include "flight/film/description.h"
-#include "flight/film/encoder.h"
 #include "flight/film/film.h"
 #include "flight/film/progress.h"
 #include "flight/film/segment_store.h"
@@ -24,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_png_still(const std::string& file, const std::vector<std::uint8_t>& rgb, const Picture& picture)
+void write_still(const std::string& file, ImageFormat format, const std::vector<std::uint8_t>& rgb,
+                 const Picture& picture)
 {
     Image image(picture.width, picture.height, Image::Layers::bytes);
     const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
@@ -32,21 +32,7 @@ void write_png_still(const std::string& file, const std::vector<std::uint8_t>& r
         const auto from = rgb.begin() + static_cast<std::ptrdiff_t>(y * row);
         std::copy_n(from, row, image.bytes().end() - static_cast<std::ptrdiff_t>((y + 1) * row));
     }
-    write_image(file, ImageFormat::png, image, NamedBy::program);
-}
-
-void write_jpeg_still(const std::string& file, const std::vector<std::uint8_t>& rgb, const Picture& picture)
-{
-    auto command = words_of(
-        fmt::format("-hide_banner -loglevel error -f rawvideo -pix_fmt rgb24 -video_size {}x{} -i - -c:v mjpeg -q:v 2 "
-                    "-pix_fmt yuvj444p -fflags +bitexact -flags:v +bitexact -f image2pipe -",
-                    picture.width, picture.height));
-    command.insert(command.begin(), ffmpeg());
-    FfmpegProcess process(command, "");
-    process.write(rgb.data(), rgb.size());
-    const auto result = process.finish();
-    if (!result.cause.empty()) throw Error(fmt::format("{}: cannot be written: {}", file, result.cause));
-    write_file(file, result.output, NamedBy::program);
+    write_image(file, format, image, NamedBy::program);
 }
 
 std::vector<std::size_t> frames_of(const StillOptions& options, std::size_t all)
@@ -105,7 +91,6 @@ void check_stills(const StillOptions& options, std::size_t frames)
 std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks)
 {
     if (ranks.rank() == 0) check_stills(options, path.frames.size());
-    if (options.jpeg) check_ffmpeg(Container::mp4);
     std::error_code error;
     fs::create_directories(options.folder, error);
     if (error) throw Error(fmt::format("{}: cannot make the folder: {}", options.folder, error.message()));
@@ -113,8 +98,8 @@ std::size_t make_stills(const Path& path, const Backend& backend, const StillOpt
     const auto name = [&](std::size_t frame) {
         return fmt::format("{}/frame-{:06}.{}", options.folder, frame, options.jpeg ? "jpg" : "png");
     };
-    const std::string pictures = digest(description_of(path, backend, options.picture, options.renderer,
-                                                       {{"encoder", options.jpeg ? ffmpeg_version() : "png"}}));
+    const std::string pictures = digest(
+        description_of(path, backend, options.picture, options.renderer, {{"encoder", options.jpeg ? "jpeg" : "png"}}));
     const auto made_of = [&](std::size_t frame) { return fmt::format("{} frame {}", pictures, frame); };
     FilmProgress progress(frames.size(), 0);
     FrameMaker maker(backend, options.renderer, path, options.picture);
@@ -123,12 +108,8 @@ std::size_t make_stills(const Path& path, const Backend& backend, const StillOpt
         [&](std::size_t i) {
             const std::string file = name(frames[i]);
             if (state_of(file, made_of(frames[i])) == FileState::whole) return;
-            const auto rgb = maker.draw(frames[i]);
-            if (options.jpeg) {
-                write_jpeg_still(file, rgb, options.picture);
-            } else {
-                write_png_still(file, rgb, options.picture);
-            }
+            write_still(file, options.jpeg ? ImageFormat::jpeg : ImageFormat::png, maker.draw(frames[i]),
+                        options.picture);
             write_note(file, made_of(frames[i]), digest_of_file(file));
         },
         [&](std::size_t) { progress.add(1); });

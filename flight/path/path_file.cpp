@@ -279,6 +279,7 @@ Path path_from_text(const std::string& text, const std::string& name)
     for (std::size_t i = 0; i < frames.size(); ++i) {
         path.frames.push_back(read_frame(frames[i], fmt::format("{}: frame {}", name, i), path));
     }
+    cut_digits(path);
     return path;
 }
 

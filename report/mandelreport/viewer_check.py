@@ -113,7 +113,8 @@ class ViewerChecker:
             return
         drawn = self.pictures / f"{name}-render.png"
         # The viewer renders no trial. Therefore bin/render must not render one either.
-        command = [render, "--fractal", fractal, dat, "--precision", "float", "--mode", mode, "--without", "trial"]
+        command = [render, "--fractal", fractal, dat, "--precision", "float", "--mode", mode,
+                   *(["--without", "trial"] if mode == "fast" else [])]
         printed = subprocess.run([*command, "--print-scene"], capture_output=True, text=True, check=False)
         if printed.returncode == 0:
             mine = self.page.evaluate("({ ...Viewer.fields(), miss: 'Infinity' })")

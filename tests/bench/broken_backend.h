@@ -73,7 +73,7 @@ public:
     {
         return defect_ == Defect::hidden ? std::vector<Device>{} : inner_->devices();
     }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         if (defect_ == Defect::refuses && options.precision == Precision::f64) throw Unavailable("it has no double");
         RendererOptions changed = options;

@@ -81,7 +81,7 @@ public:
     std::string_view name() const override { return name_; }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {Device{}}; }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         return std::make_unique<BrokenRenderer>(defect_, options);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of the explorer that need no window.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <set>
 
 #include "apps/explore/actions/actions.h"
+#include "backends/openmp/openmp.h"
 #include "apps/explore/model/path_editor.h"
 #include "apps/explore/model/export.h"
 #include "apps/explore/model/motion.h"
@@ -185,6 +187,53 @@ TEST(ExploreActions, NamesAndKeysAreUnique)
         EXPECT_EQ(action_named(action.name), &action);
     }
     EXPECT_EQ(action_named("fly"), nullptr);
+}
+
+// A model with the openmp backend alone, whose files go to a folder of its own, and the desktop of a test.
+class ExploreModel : public testing::Test, public Desktop {
+protected:
+    void toggle_full_screen() override {}
+    bool toggle_panel_focus() override { return false; }
+
+    void perform(const char* action) { action_named(action)->perform(model, *this); }
+
+    const TemporaryFolder folder;
+    Settings settings{.setup = {"openmp", 0, Precision::f64, Mode::exact}};
+    // Tasks may use the registry until the process ends.
+    const Registry& registry = *new Registry([] {
+        std::vector<std::unique_ptr<Backend>> backends;
+        backends.push_back(make_openmp_backend());
+        return backends;
+    }());
+    Model model{registry, settings, folder.path(), official("box")};
+};
+
+TEST_F(ExploreModel, AFileKeepsItsLookAndAWrongFileTheView)
+{
+    const std::string file = folder.path() / "view.dat";
+    Scene plain = official("bulb");
+    plain.colouring = 1;
+    std::ofstream(file) << view_text(plain);
+    model.open(file);
+    perform("reset-view");
+    EXPECT_EQ(model.view.scene().fractal->name, "mandelbulb");
+    EXPECT_EQ(model.view.scene().colouring, 1);
+    std::ofstream(file) << "1 2 3\n1 2\n";
+    model.open(file);
+    EXPECT_EQ(model.view.scene().colouring, 1);
+    EXPECT_TRUE(model.said().starts_with(file + ":2: ")) << model.said();
+}
+
+TEST_F(ExploreModel, StartViewsFollowOneAnother)
+{
+    std::set<std::string> said;
+    for (std::size_t i = 0; i < start_views().size(); ++i) {
+        perform("next-view");
+        said.insert(model.said());
+    }
+    EXPECT_EQ(said.size(), start_views().size());
+    perform("next-view");
+    EXPECT_EQ(model.said(), fmt::format("{}, {}", start_views()[0].name, start_views()[0].fractal));
 }
 
 TEST(ExploreViews, ANarrowPaneShowsTheWidthOfThePictureThatFillsTheWindow)

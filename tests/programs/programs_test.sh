@@ -182,7 +182,7 @@ test_arguments() {
         "paramsBulb.dat --mode slow" "paramsBulb.dat --size 0x5" "paramsBulb.dat --size 5" "paramsBulb.dat --size 0x10x10" \
         "paramsBulb.dat --size -5x5" "paramsBulb.dat --size 5.5x5" "paramsBulb.dat --size 65536x1" "paramsBulb.dat --size x" \
         "paramsBulb.dat --threads -1" "paramsBulb.dat --threads many" "paramsBulb.dat --simd-width 3 --backend openmp" \
-        "paramsBulb.dat --device -1" "paramsBulb.dat more.dat"; do
+        "paramsBulb.dat --device -1" "paramsBulb.dat --without cones" "paramsBulb.dat more.dat"; do
         expect 2 "$bin/mandelbulb" $arguments
     done
     expect 2 "$bin/render" paramsBulb.dat

@@ -117,7 +117,7 @@ public:
         return std::nullopt;
     }
     std::vector<Device> devices() const override { return std::vector<Device>(conducts, {"made", "us", "0", true}); }
-    std::unique_ptr<Renderer> create(const RendererOptions& options) const override
+    std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         const auto conduct = static_cast<Conduct>(options.device);
         if (where_ == Where::opening) misbehave(conduct);

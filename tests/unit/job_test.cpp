@@ -28,7 +28,7 @@ void draw(const void* address, const job::Launch& launch)
 struct Asked {
     int allocations = 0;
     int launches = 0;
-    int current = 0;  // calls of run() in progress
+    int current = 0;  // selections that live
     std::set<void*> held;
     bool outside = false;  // a device call was made outside the device's thread
 };
@@ -44,11 +44,10 @@ public:
         return {[](std::string_view) -> job::DrawKernel* { return draw; }, nullptr};
     }
     job::OpenedDevice open(int) const override { return {.pixels_per_band = 100, .resident_threads = threads_}; }
-    void run(const RendererOptions&, const std::function<void()>& f) const override
+    job::Selection select(const RendererOptions&) const override
     {
         ++asked_.current;
-        f();
-        --asked_.current;
+        return std::shared_ptr<int>(&asked_.current, [](int* current) { --*current; });
     }
     double seconds_of(const std::function<void()>& launch) const override
     {

@@ -103,31 +103,6 @@ void save_place(Model& model, Desktop& /*desktop*/)
                           scene.fractal->name, official_shape ? "" : " --params VIEW.dat (saved with Ctrl+S)", name));
 }
 
-void copy_view(Model& model, Desktop& desktop)
-{
-    Scene scene = model.view.scene();
-    scene.image_file = "view.png";
-    desktop.set_clipboard(view_text(scene));
-    model.say("the view's parameter file is on the clipboard");
-}
-
-void paste_view(Model& model, Desktop& desktop)
-{
-    const std::string text = desktop.clipboard();
-    if (text.empty()) throw InputError("the clipboard has no text");
-    model.change(view_of_text(text, "clipboard", *model.view.scene().fractal));
-    model.say("the clipboard's view");
-}
-
-void save_picture(Model& model, Desktop& /*desktop*/)
-{
-    Scene scene = model.view.scene();
-    scene.width = model.picture_width;
-    scene.height = model.picture_height;
-    model.picture.start(model.registry, model.view.setup(), scene, free_name(model.folder, "picture"));
-    model.say("drawing a picture");
-}
-
 void record(Model& model, Desktop& /*desktop*/)
 {
     if (model.path_editor.recording()) {
@@ -149,7 +124,7 @@ void save_path(Model& model, Desktop& /*desktop*/)
 void film_path(Model& model, Desktop& /*desktop*/)
 {
     model.path_editor.film(model.registry, model.view.setup(), free_name(model.folder, "film") + ".mp4",
-                           model.picture_width, model.picture_height);
+                           model.film_width, model.film_height);
     model.say("filming");
 }
 
@@ -180,15 +155,6 @@ void step(Model& model, Desktop& /*desktop*/)
     need_path(model);
     model.path_editor.go_to(model.path_editor.at() + frames);
     model.show_path();
-}
-
-void next_broken(Model& model, Desktop& /*desktop*/)
-{
-    const auto frame = model.path_editor.next_broken();
-    if (!frame) throw Error("the audit names no frame with a broken promise or a missed threshold");
-    model.path_editor.go_to(static_cast<double>(*frame));
-    model.show_path();
-    model.say(fmt::format("frame {}", *frame));
 }
 
 void after_undo(Model& model, bool done, const char* name)
@@ -231,11 +197,8 @@ constexpr std::array table{
     Action{"walls", "C", "switch between flying through walls and stopping at them", toggle_walls, over_pictures},
     Action{"undo", "Ctrl+Z", "undo", [](Model& m, Desktop&) { after_undo(m, m.view.undo(), "undo"); }},
     Action{"redo", "Ctrl+Y", "redo", [](Model& m, Desktop&) { after_undo(m, m.view.redo(), "redo"); }},
-    Action{"save-view", "Ctrl+S", "save the view as a parameter file", save_view},
+    Action{"save-view", "Ctrl+S", "save the view as a parameter file for bin/render", save_view},
     Action{"save-place", "Ctrl+N", "add the view to the places that a film visits", save_place},
-    Action{"copy", "Ctrl+C", "copy the view's parameter file", copy_view},
-    Action{"paste", "Ctrl+V", "show the view of the clipboard's parameter file", paste_view},
-    Action{"save-picture", "Ctrl+P", "save a picture at the size set in the panel", save_picture},
     Action{"record", "Ctrl+R", "record a path, or end the recording", record},
     Action{"smooth", "Ctrl+L", "smooth the path", [](Model& m, Desktop&) { m.path_editor.smooth(); }},
     Action{"save-path", "Ctrl+D", "save the path", save_path},
@@ -247,15 +210,6 @@ constexpr std::array table{
     Action{"frame-forwards", ".", "one frame forwards", step<1>, repeated},
     Action{"second-back", "PageUp", "one second back", step<-30>, over_pictures},
     Action{"second-forwards", "PageDown", "one second forwards", step<30>, over_pictures},
-    Action{"next-broken", "N", "go to the next broken promise or missed threshold", next_broken, over_pictures},
-    Action{"cut-before", "", "remove the path's frames before this one",
-           [](Model& m, Desktop&) { m.path_editor.cut_before(); }},
-    Action{"cut-after", "", "remove the path's frames after this one",
-           [](Model& m, Desktop&) { m.path_editor.cut_after(); }},
-    Action{"audit-all", "", "audit the path in full, not only its promises",
-           [](Model& m, Desktop&) { m.path_editor.audit_all(); }},
-    Action{"cancel-picture", "", "cancel the picture that is being saved",
-           [](Model& m, Desktop&) { m.picture.cancel(); }},
     Action{"quit", "Ctrl+Q", "quit", [](Model& m, Desktop&) { m.quit = true; }},
 };
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "apps/explore/model/model.h"
@@ -14,8 +13,6 @@ namespace mandelmarch::explore {
 class Desktop {
 public:
     virtual ~Desktop() = default;
-    virtual std::string clipboard() const = 0;
-    virtual void set_clipboard(const std::string& text) const = 0;  // throws Error
     virtual void toggle_full_screen() = 0;
     // Moves the keyboard focus from the pictures to the panel or back. Returns true if the panel then has it.
     virtual bool toggle_panel_focus() = 0;

@@ -10,9 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/input_file.h"
-#include "core/base/memory.h"
 #include "core/base/output_file.h"
-#include "core/image/formats/image_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/path/path.h"
@@ -22,8 +20,6 @@ namespace mandelmarch::explore {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uint64_t spare_memory = 256ULL << 20;  // bytes that a picture must leave free
 
 std::string lower(std::string text)
 {
@@ -109,31 +105,6 @@ std::size_t append_place(const std::string& file, const Scene& scene)
 Scene read_view(const std::string& file, const Fractal& hint)
 {
     return view_of_text(text_of_file(file, "parameter file"), file, hint);
-}
-
-void PictureTask::start(const Registry& registry, const Setup& setup, Scene scene, const std::string& name)
-{
-    if (running()) throw Error("a picture is being drawn already");
-    const Backend& backend = backend_of(registry, setup);
-    scene.image_file = std::filesystem::path(name + ".png").filename().string();
-    const std::uint64_t needed =
-        Image::pixels(scene.width, scene.height) * Image::bytes_per_pixel(Image::Layers::bytes) + spare_memory;
-    const std::string lack = memory_shortage(fmt::format("{} x {} pixels", scene.width, scene.height), needed);
-    if (!lack.empty()) throw InputError(lack);
-    OutputFile::check(name + ".png");
-    const std::string text = view_text(scene);
-    // The scene is read back, so that its numbers are rounded as in the file.
-    const Scene read = view_of_text(text, name + ".dat", *scene.fractal);
-    write_file(name + ".dat", text);
-    share_ = std::make_shared<std::atomic<double>>(0);
-    stop_ = std::stop_source();
-    task_.start([&backend, setup, read, name, share = share_, stop = stop_.get_token()] {
-        const auto renderer = backend.create(options_of(setup));
-        Image image(read.width, read.height, Image::Layers::bytes);
-        const RenderStats report = renderer->render(read, image, Progress([&](double done) { *share = done; }, stop));
-        write_image(name + ".png", ImageFormat::png, image);
-        return fmt::format("{}.png in {:.2f} s: {}", name, report.timings.wall, command_of(read, setup, name + ".dat"));
-    });
 }
 
 }  // namespace mandelmarch::explore

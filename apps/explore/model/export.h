@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Export: writes the view as a parameter file, and pictures of any size. The pictures are identical to those that
-// bin/render makes from that file.
+// Export: writes the view as a parameter file, from which bin/render makes the same picture.
 #pragma once
 
-#include <atomic>
-#include <memory>
-#include <stop_token>
 #include <string>
 
 #include "apps/explore/model/setup.h"
-#include "apps/explore/model/task.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::explore {
@@ -37,23 +32,5 @@ std::size_t append_place(const std::string& file, const Scene& scene);
 // file's name and line.
 Scene read_view(const std::string& file, const Fractal& hint);
 Scene view_of_text(const std::string& text, const std::string& name, const Fractal& hint);
-
-// Renders a picture to a file in a background thread.
-class PictureTask {
-public:
-    // Writes NAME.dat, then renders the scene of this file in the background and writes NAME.png. Throws if a picture
-    // is being rendered already, the backend does not exist, memory is insufficient or a file cannot be written.
-    void start(const Registry& registry, const Setup& setup, Scene scene, const std::string& name);
-    bool running() const { return task_.running(); }
-    double progress() const { return share_ != nullptr ? share_->load() : 0; }
-    void cancel() { stop_.request_stop(); }
-    // Returns a message at the first call after the task has ended; otherwise "".
-    std::string take_news() { return news_of(task_, "picture"); }
-
-private:
-    Task<std::string> task_;
-    std::shared_ptr<std::atomic<double>> share_;
-    std::stop_source stop_;
-};
 
 }  // namespace mandelmarch::explore

@@ -86,9 +86,7 @@ void Model::open(const std::string& file)
 void Model::take_news()
 {
     listings();
-    for (const std::string& news : {path_editor.take_news(), picture.take_news()}) {
-        if (!news.empty()) say(news);
-    }
+    if (const std::string news = path_editor.take_news(); !news.empty()) say(news);
 }
 
 const std::vector<Listing>& Model::listings()

@@ -27,8 +27,7 @@ public:
     ShownView view;
     Motion motion;
     PathEditor path_editor;
-    PictureTask picture;
-    int picture_width = 1920, picture_height = 1080;  // pixels; size of exported pictures and films
+    int film_width = 1920, film_height = 1080;  // pixels
     int tour_seed = 1, tour_frames = 1800;
     std::size_t next_start = 0;  // index in start_views() of the view that the action next-view shows
     bool marks = true;           // pixels that differ from the first pane are marked
@@ -67,10 +66,7 @@ public:
     // Opens a parameter file or a path file. Errors are shown as messages.
     void open(const std::string& file);
 
-    bool tasks_running() const
-    {
-        return listing_.running() || picture.running() || path_editor.planning() || path_editor.filming();
-    }
+    bool tasks_running() const { return listing_.running() || path_editor.planning() || path_editor.filming(); }
     // Shows the messages of background work. Must be called regularly.
     void take_news();
     // Returns one listing of devices per backend, in the registry's order. A background task makes the listings,

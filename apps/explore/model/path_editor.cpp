@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "apps/explore/model/export.h"
 #include "apps/explore/model/smooth.h"
@@ -16,8 +15,6 @@
 
 namespace mandelmarch::explore {
 namespace {
-
-constexpr std::size_t least_audited = 4;  // frames; shorter paths are not audited
 
 Frame frame_of(const Path& path, const Scene& scene)
 {
@@ -64,8 +61,6 @@ void PathEditor::take(Path path)
     path_ = std::move(path);
     recording_ = false;
     go_to(at_);
-    rows_.clear();
-    changed();
 }
 
 void PathEditor::begin_recording(const Scene& scene)
@@ -76,10 +71,8 @@ void PathEditor::begin_recording(const Scene& scene)
     as_file(path_.scene);
     path_.frames = {frame_of(path_, scene)};
     at_ = owed_ = 0;
-    rows_.clear();
     playing = false;
     recording_ = true;
-    changed();
 }
 
 void PathEditor::record(const Scene& scene, double seconds)
@@ -98,7 +91,6 @@ void PathEditor::record(const Scene& scene, double seconds)
     }
     if (done == 0) return;
     at_ = static_cast<double>(frames() - 1);
-    changed();
 }
 
 void PathEditor::end_recording()
@@ -107,29 +99,12 @@ void PathEditor::end_recording()
     recording_ = false;
     if (has_path()) cut_digits(path_);
     at_ = 0;
-    changed();
 }
 
 void PathEditor::smooth()
 {
     if (!has_path()) throw Error("there is no path to smooth");
     take(smoothed(path_));
-}
-
-void PathEditor::cut_before()
-{
-    if (at_ + 2 >= static_cast<double>(frames())) return;
-    path_.frames.erase(path_.frames.begin(), path_.frames.begin() + static_cast<std::ptrdiff_t>(at_));
-    at_ = 0;
-    changed();
-}
-
-void PathEditor::cut_after()
-{
-    if (at_ < 1) return;
-    path_.frames.resize(static_cast<std::size_t>(at_) + 1);
-    go_to(at_);
-    changed();
 }
 
 void PathEditor::plan(const Scene& scene, std::uint64_t seed, int frame_count)
@@ -162,19 +137,6 @@ void PathEditor::film(const Registry& registry, const Setup& setup, const std::s
 std::string PathEditor::take_news()
 {
     std::string failure;
-    if (auto audit = audit_.take(failure)) {
-        rows_ = std::move(audit->rows);
-        audited_ = auditing_;
-    } else if (!failure.empty()) {
-        audited_ = auditing_;
-        return "audit: " + failure;
-    }
-    if (!audit_.running() && audited_ != version_ && frames() >= least_audited) {
-        auditing_ = version_;
-        const bool all = whole_audit_ && !recording_;
-        whole_audit_ = false;
-        audit_.start([path = path_, all] { return all ? audit(path, 1) : audit_promises(path, 1); });
-    }
     if (auto path = planning_.take(failure)) {
         take(std::move(*path));
         at_ = 0;
@@ -183,18 +145,6 @@ std::string PathEditor::take_news()
     }
     if (!failure.empty()) return "planning: " + failure;
     return news_of(filming_, "film");
-}
-
-std::optional<std::size_t> PathEditor::next_broken() const
-{
-    std::set<std::size_t> named;
-    for (const Row& row : rows_) {
-        if (!row.kept() && row.frame) named.insert(*row.frame);
-    }
-    if (named.empty()) return std::nullopt;
-    const auto next =
-        std::ranges::find_if(named, [this](std::size_t frame) { return static_cast<double>(frame) > at_ + 0.5; });
-    return next != named.end() ? *next : *named.begin();
 }
 
 }  // namespace mandelmarch::explore

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The path editor: records, opens, plans, plays, cuts and audits a path, and renders it as a film.
+// The path editor: records, opens, plans, plays and smooths a path, and renders it as a film.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "apps/explore/model/setup.h"
 #include "apps/explore/model/task.h"
 #include "core/render/registry.h"
-#include "flight/audit/audit.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch::explore {
@@ -40,10 +37,6 @@ public:
     void end_recording();
 
     void smooth();
-    // Removes the frames before the position. cut_after() removes the frames after the position.
-    void cut_before();
-    void cut_after();
-
     // Starts to plan a tour of the scene's fractal in the background. film() starts to render the path as a film in the
     // background. take_news() reports the end of this work.
     void plan(const Scene& scene, std::uint64_t seed, int frames);
@@ -51,34 +44,15 @@ public:
     bool planning() const { return planning_.running(); }
     bool filming() const { return filming_.running(); }
 
-    // Returns the items of the last audit. If stale() is true, they belong to an earlier version of the path.
-    const std::vector<Row>& rows() const { return rows_; }
-    bool stale() const { return audited_ != version_; }
-    // Takes over the results of background work, and starts an audit in the background if the path has changed. Returns
-    // a message for the user if a plan or a film is finished or if background work has failed; otherwise "". Must be
-    // called regularly.
+    // Takes over the results of background work. Returns a message for the user if a plan or a film is finished or if
+    // background work has failed; otherwise "". Must be called regularly.
     std::string take_news();
-    // Returns the next frame after the position that the audit names for a broken promise (hard limit) or a missed
-    // threshold. If no such frame follows, returns the first such frame of the path; nullopt if the path has none.
-    std::optional<std::size_t> next_broken() const;
-    // Requests an audit of all items, not only of promises. The audit takes seconds.
-    void audit_all()
-    {
-        whole_audit_ = true;
-        audited_ = 0;
-    }
 
 private:
-    void changed() { ++version_; }
-
     Path path_;
     double at_ = 0;
     bool recording_ = false;
     double owed_ = 0;  // time recorded since the last frame, in frames
-    std::uint64_t version_ = 1, audited_ = 0, auditing_ = 0;
-    bool whole_audit_ = false;
-    std::vector<Row> rows_;
-    Task<Audit> audit_;
     Task<Path> planning_;
     Task<std::string> filming_;
 };

@@ -8,10 +8,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <numeric>
 #include <thread>
 #include <tuple>
-#include <utility>
 
 #include "apps/explore/view/panels.h"
 #include "core/base/stopwatch.h"
@@ -23,7 +21,6 @@ namespace {
 constexpr double spare = 0.0012;      // seconds of a frame that are kept free
 constexpr double patience = 1.5;      // frames to wait for a picture while the camera moves
 constexpr double longest_step = 0.1;  // largest time step of the motion, seconds
-constexpr double kept = 10;           // seconds; intervals between frames are kept for this time
 constexpr int idle_wait = 100;        // milliseconds; longest wait for an event while nothing changes
 constexpr double notch = 1.2;         // factor on the speed per notch of the wheel
 constexpr double least_speed = 1.0 / 16, most_speed = 16;
@@ -44,7 +41,7 @@ Explorer::Explorer(Model& model, Window& window)
 
 void Explorer::run(const std::function<void()>& before_frame)
 {
-    last_ = presented_ = due_ = Clock::now();
+    last_ = due_ = Clock::now();
     while (!model_.quit) {
         model_.attempt(before_frame);
         tick();
@@ -66,8 +63,6 @@ bool Explorer::take_key(const SDL_Event& event)
     if (key.empty() || found == actions().end()) return false;
     const ImGuiIO& io = ImGui::GetIO();
     if (found->heeded != Action::Heeded::anywhere && (io.WantCaptureKeyboard || io.WantTextInput)) return false;
-    // Text fields handle Ctrl+C and Ctrl+V themselves.
-    if (control && io.WantTextInput) return false;
     if (event.key.repeat == 0 || found->heeded == Action::Heeded::repeated) found->perform(model_, window_);
     return true;
 }
@@ -183,8 +178,6 @@ void Explorer::tick()
     const Moment end = Clock::now();
     const double showing = building + std::chrono::duration<double>(end - drawn).count();
     showing_ += 0.1 * (showing - showing_);
-    note_interval(std::chrono::duration<double>(end - presented_).count());
-    presented_ = end;
     if (window_.waits()) return wait_if_idle();
     // Here present() does not wait for the screen, so a timer limits the frame rate to the screen's.
     due_ = std::max(due_ + duration(period), end);
@@ -192,18 +185,11 @@ void Explorer::tick()
     wait_if_idle();
 }
 
-void Explorer::note_interval(double seconds)
-{
-    intervals_.push_back(static_cast<float>(seconds));
-    const auto total = [&] { return std::accumulate(intervals_.begin(), intervals_.end(), 0.0); };
-    while (intervals_.size() > 1 && total() > kept) intervals_.pop_front();
-}
-
 void Explorer::wait_if_idle()
 {
     if (model_.tasks_running() || !at_rest()) return;
     SDL_WaitEventTimeout(nullptr, idle_wait);
-    last_ = presented_ = due_ = Clock::now();
+    last_ = due_ = Clock::now();
 }
 
 void Explorer::show_panels()
@@ -211,7 +197,7 @@ void Explorer::show_panels()
     const bool focus = window_.take_panel_focus();
     if (focus) input_.let_go();
     show_overlay(model_, panes_, area_, clearance_);
-    if (model_.settings.panel) show_panel(model_, window_, intervals_, panel_width_, focus);
+    if (model_.settings.panel) show_panel(model_, window_, panel_width_, focus);
     if (model_.paths) show_paths(model_, window_, panel_width_);
     if (model_.help) show_help(model_);
     // At the start no panel has the keyboard, so that keys move the camera.
@@ -226,7 +212,6 @@ void Explorer::show()
         if (texture != nullptr) SDL_RenderCopy(window_.renderer(), texture, nullptr, &place);
     }
     window_.draw_panels();
-    if (!shot_.empty()) model_.attempt([&] { window_.shoot(std::exchange(shot_, {})); });
     window_.present();
 }
 
@@ -236,32 +221,18 @@ std::string Explorer::state() const
     Json drawn = Json::array();
     for (const Pane& pane : panes_.all()) {
         drawn.push_back({{"setup", name_of(pane.setup)},
-                         {"view", pane.view},
                          {"samples", pane.samples},
-                         {"seconds", pane.seconds},
                          {"failure", pane.failure},
-                         {"differing", pane.compared ? Json(pane.compared->differing) : Json()},
-                         {"visibly", pane.compared ? Json(pane.compared->visibly_differing) : Json()}});
+                         {"differing", pane.compared ? Json(pane.compared->differing) : Json()}});
     }
     const PathEditor& path_editor = model_.path_editor;
-    const auto broken =
-        std::ranges::count_if(path_editor.rows(), [](const Row& row) { return row.promise && !row.kept(); });
     const Scene& scene = model_.view.scene();
-    const Json json{{"frame", frame_},
-                    {"view", model_.view.version()},
-                    {"fractal", scene.fractal->name},
+    const Json json{{"fractal", scene.fractal->name},
                     {"colouring", scene.colouring},
                     {"eye", {scene.eye.x, scene.eye.y, scene.eye.z}},
-                    {"field_of_view", scene.field_of_view},
-                    {"shown_field_of_view", model_.view.shown().field_of_view},
-                    {"clearance", clearance_},
                     {"panes", drawn},
                     {"said", model_.said()},
-                    {"path",
-                     {{"frames", path_editor.frames()},
-                      {"at", path_editor.at()},
-                      {"rows", path_editor.rows().size()},
-                      {"broken", broken}}}};
+                    {"path", {{"frames", path_editor.frames()}, {"at", path_editor.at()}}}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -2,7 +2,6 @@
 // The main loop: passes the user's input to the model, renders the view and shows it.
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <string>
 
@@ -25,8 +24,6 @@ public:
     bool at_rest() const { return !moving_ && !panes_.missing() && !panes_.drawing(); }
     // Returns the state as one line of JSON.
     std::string state() const;
-    // Requests that a screenshot is written to `file` at the end of this frame.
-    void shoot(const std::string& file) { shot_ = file; }
 
 private:
     void tick();
@@ -37,15 +34,12 @@ private:
     double budget() const;
     void show_panels();
     void show();
-    void note_interval(double seconds);
     void wait_if_idle();
 
     Model& model_;
     Window& window_;
     Panes panes_;
     Input input_;
-    std::deque<float> intervals_;  // seconds between frames, of the last ten seconds
-    std::string shot_;
     bool moving_ = false;
     bool flew_ = false;
     std::uint64_t frame_ = 0;
@@ -54,7 +48,7 @@ private:
     std::uint64_t seen_ = 0;     // version of the view at whose eye `clearance_` was computed
     double clearance_ = 0;
     double showing_ = 0.004;  // average time of a frame that is not spent on rendering, in seconds
-    Moment last_{}, presented_{}, due_{};
+    Moment last_{}, due_{};
 };
 
 }  // namespace mandelmarch::explore

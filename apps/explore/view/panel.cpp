@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "apps/explore/view/panels.h"
 #include "apps/scene_json.h"
-#include "core/image/image.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 
@@ -18,7 +16,6 @@ namespace {
 
 constexpr float width_in_letters = 44;   // width of the panel
 constexpr float most_of_window = 0.55F;  // largest fraction of the window's width for the panel
-constexpr float graph_height = 48;       // pixels
 
 // The items that edit the scene. Each shows a property of `scene`, which is a copy of the view's scene.
 class SceneItems {
@@ -182,35 +179,6 @@ void setup_items(Model& model)
     two_choices(model, "fast", "exact", now.mode == Mode::fast, with_other_mode(now));
 }
 
-void export_items(Model& model, Desktop& desktop)
-{
-    show_buttons(model, desktop, {{"save-view"}, {"copy"}, {"paste"}});
-    int size[2] = {model.picture_width, model.picture_height};
-    if (ImGui::InputInt2("picture size", size)) {
-        model.picture_width = std::clamp(size[0], 1, max_side);
-        model.picture_height = std::clamp(size[1], 1, max_side);
-    }
-    if (!model.picture.running()) return show_buttons(model, desktop, {{"save-picture"}});
-    ImGui::ProgressBar(static_cast<float>(model.picture.progress()));
-    show_buttons(model, desktop, {{"cancel-picture"}});
-}
-
-void graph(const std::deque<float>& intervals)
-{
-    if (intervals.empty()) return;
-    const double total = std::accumulate(intervals.begin(), intervals.end(), 0.0);
-    ImGui::PlotLines(
-        "##frames",
-        [](void* data, int at) {
-            return 1000 * (*static_cast<const std::deque<float>*>(data))[static_cast<std::size_t>(at)];
-        },
-        const_cast<std::deque<float>*>(&intervals), static_cast<int>(intervals.size()), 0,
-        fmt::format("{:.0f} frames per second over the last ten seconds; top 50 ms",
-                    static_cast<double>(intervals.size()) / total)
-            .c_str(),
-        0, 50, ImVec2(-1, graph_height));
-}
-
 }  // namespace
 
 void show_buttons(Model& model, Desktop& desktop, std::initializer_list<Button> row)
@@ -230,7 +198,7 @@ float panel_width(int window_width)
     return std::round(std::min(width_in_letters * letter * 0.6F, most_of_window * static_cast<float>(window_width)));
 }
 
-void show_panel(Model& model, Desktop& desktop, const std::deque<float>& intervals, float width, bool focus)
+void show_panel(Model& model, Desktop& desktop, float width, bool focus)
 {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y});
@@ -245,7 +213,7 @@ void show_panel(Model& model, Desktop& desktop, const std::deque<float>& interva
         flight_items(model.motion);
         show_buttons(model, desktop, {{"reset-view"}, {"undo"}, {"redo"}});
     }
-    if (ImGui::CollapsingHeader("save and export", ImGuiTreeNodeFlags_DefaultOpen)) export_items(model, desktop);
+    show_buttons(model, desktop, {{"save-view"}, {"save-place"}});
     ImGui::Checkbox("paths", &model.paths);
     ImGui::SameLine();
     ImGui::Checkbox("statistics", &model.settings.statistics);
@@ -254,7 +222,6 @@ void show_panel(Model& model, Desktop& desktop, const std::deque<float>& interva
         model.settings.scale = static_cast<double>(scale);
         ImGui::GetIO().FontGlobalScale = scale;
     }
-    graph(intervals);
     ImGui::PopItemWidth();
     ImGui::End();
 }

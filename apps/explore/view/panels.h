@@ -4,7 +4,6 @@
 
 #include <SDL.h>
 
-#include <deque>
 #include <initializer_list>
 #include <string>
 
@@ -13,14 +12,13 @@
 
 namespace mandelmarch::explore {
 
-// Shows the panel at the left: view, fractal, backend, export. `intervals`: seconds between the window's last frames.
-// `focus`: true to move the keyboard to the panel.
-void show_panel(Model& model, Desktop& desktop, const std::deque<float>& intervals, float width, bool focus);
+// Shows the panel at the left: view, fractal, backend. `focus`: true to move the keyboard to the panel.
+void show_panel(Model& model, Desktop& desktop, float width, bool focus);
 
 // Returns the width of the panel at the left. `window_width`: the window's width. Both are in pixels.
 float panel_width(int window_width);
 
-// Shows the panel for paths, their audit and tours. `left`: width of the panel at the left, in pixels.
+// Shows the panel for paths, and tours. `left`: width of the panel at the left, in pixels.
 void show_paths(Model& model, Desktop& desktop, float left);
 
 // Shows statistics and warnings over each picture, and messages. `area`: the part of the window for pictures.

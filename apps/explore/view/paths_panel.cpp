@@ -6,30 +6,10 @@
 #include <limits>
 
 #include "apps/explore/view/panels.h"
+#include "core/image/image.h"
 
 namespace mandelmarch::explore {
 namespace {
-
-const ImVec4 broken{1, 0.45F, 0.35F, 1};
-const ImVec4 missed{1, 0.8F, 0.4F, 1};
-
-void rows(const PathEditor& path_editor)
-{
-    for (const Row& row : path_editor.rows()) {
-        const std::string text = fmt::format("{} {}: {:.3g}{} {} {:.3g} {}{}", row.promise ? "!" : " ", row.name,
-                                             row.value, row.unit.empty() ? std::string() : fmt::format(" {}", row.unit),
-                                             row.at_most ? "<=" : ">=", row.bar,
-                                             row.kept()    ? "kept"
-                                             : row.promise ? "BROKEN"
-                                                           : "missed",
-                                             row.worst().empty() ? "" : ", " + row.worst());
-        const ImVec4 colour = row.kept() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : row.promise ? broken : missed;
-        ImGui::PushStyleColor(ImGuiCol_Text, colour);
-        ImGui::TextWrapped("%s", text.c_str());
-        ImGui::PopStyleColor();
-    }
-    if (path_editor.stale() && path_editor.has_path()) ImGui::TextDisabled("auditing");
-}
 
 // Shows a field for an integer, with buttons that change it.
 void number_field(const char* name, int& value, int low, int high)
@@ -68,17 +48,16 @@ void show_paths(Model& model, Desktop& desktop, float left)
             path_editor.go_to(static_cast<double>(at));
             model.show_path();
         }
-        show_buttons(
-            model, desktop,
-            {{"play-or-stop", path_editor.playing ? "stop" : "play"}, {"next-broken"}, {"audit-all"}, {"smooth"}});
-        show_buttons(model, desktop, {{"cut-before"}, {"cut-after"}});
+        show_buttons(model, desktop, {{"play-or-stop", path_editor.playing ? "stop" : "play"}, {"smooth"}});
+        number_field("width", model.film_width, 16, max_side);
+        ImGui::SameLine();
+        number_field("height", model.film_height, 16, max_side);
         show_buttons(model, desktop, {{"save-path"}, {"film"}});
     }
     number_field("seed", model.tour_seed, 0, std::numeric_limits<int>::max());
     ImGui::SameLine();
     number_field("frames", model.tour_frames, 60, 100'000);
     if (!path_editor.planning()) show_buttons(model, desktop, {{"plan-a-tour"}});
-    rows(path_editor);
     ImGui::End();
 }
 

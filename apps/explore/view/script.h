@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts that simulate the user. A line is the name of an action (actions.h), or a command of script.cpp that presses
-// keys, moves the mouse or waits for results.
+// Scripts that simulate the user, for tests. A line is the name of an action (actions.h), or one of three commands:
+// `hold KEY FRAMES` holds a key, `rest` waits until all work has ended, and `tell` prints the state as a line of JSON.
 #pragma once
 
 #include <functional>

@@ -11,15 +11,12 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <string_view>
 
 #include "core/base/environment.h"
 #include "core/base/error.h"
-#include "core/image/formats/image_file.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -202,32 +199,6 @@ void Window::draw_panels()
 }
 
 void Window::present() const { SDL_RenderPresent(renderer_); }
-
-void Window::shoot(const std::string& file) const
-{
-    const auto [width, height] = size();
-    const std::size_t row = 3 * Image::pixels(width, 1);
-    std::vector<std::uint8_t> pixels(3 * Image::pixels(width, height));  // top row first
-    if (SDL_RenderReadPixels(renderer_, nullptr, SDL_PIXELFORMAT_RGB24, pixels.data(), 3 * width) != 0) {
-        throw Error(fmt::format("{}: the window cannot be read: {}", file, SDL_GetError()));
-    }
-    Image image(width, height, Image::Layers::bytes);
-    for (int y = 0; y < height; ++y) {
-        std::copy_n(pixels.end() - static_cast<std::ptrdiff_t>(row) * (y + 1), row, image.row_bytes(y));
-    }
-    write_image(file, ImageFormat::png, image);
-}
-
-std::string Window::clipboard() const
-{
-    const std::unique_ptr<char, void (*)(void*)> text(SDL_GetClipboardText(), SDL_free);
-    return text != nullptr ? text.get() : "";
-}
-
-void Window::set_clipboard(const std::string& text) const
-{
-    if (SDL_SetClipboardText(text.c_str()) != 0) throw Error(fmt::format("clipboard: {}", SDL_GetError()));
-}
 
 void Window::toggle_full_screen()
 {

@@ -36,11 +36,7 @@ public:
     void begin();                              // begins a frame: clears the window, and begins Dear ImGui's frame
     void draw_panels();                        // ends Dear ImGui's frame, and draws the panels
     void present() const;
-    // Writes the window's content as a PNG file. Must be called after draw_panels(). Throws Error if that fails.
-    void shoot(const std::string& file) const;
 
-    std::string clipboard() const override;
-    void set_clipboard(const std::string& text) const override;
     void toggle_full_screen() override;
     bool toggle_panel_focus() override;
     // Returns true at the first call after toggle_panel_focus() has moved the keyboard to the panel; otherwise false.
