@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # explore_test.sh BIN SOURCE [SHIM]: tests the explorer in a window on an X server of its own, controlled by input
 # events. The explorer flies, renders on every backend, compares, exports pictures equal to bin/render's, records a path
-# that flythrough accepts, and survives drivers that die or hang. SHIM: the shim of opencl_faults. Without Xvfb, SDL's
+# that flythrough accepts, and survives drivers that die or hang. SHIM: the shim of OpenCL (tests/drivers). Without Xvfb, SDL's
 # dummy window is used.
 set -uo pipefail
 bin=$1
@@ -225,7 +225,7 @@ if [ -n "$shim" ] && "$bin/render" --list-devices | grep -q '^opencl *0: '; then
     printf '%s\n' rest tell 'key F4' rest tell >abort.txt
     printf '%s\n' 'wait 120' tell 'key F4' rest tell >hang.txt
     for action in abort hang; do
-        MANDELMARCH_MISCONDUCT="launch $action" MANDELMARCH_DEVICE_TIMEOUT=60 LD_PRELOAD=$shim \
+        MANDELMARCH_FAULT="launch $action" MANDELMARCH_DEVICE_TIMEOUT=60 LD_PRELOAD=$shim \
             play $action --backend opencl --size 200x160
     done
     is abort 1 '"ended the device" in t["panes"][0]["failure"]' True
