@@ -4,8 +4,10 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <ranges>
 #include <string>
 
 #include "cli/arguments.h"
@@ -20,9 +22,8 @@ namespace mandelmarch {
 // Adds --fractal. `name` contains the default, and receives the value.
 inline CLI::Option* add_fractal_option(CLI::App& app, std::string& name)
 {
-    std::string names;
-    for (const Fractal& known : fractals()) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-    return app.add_option("--fractal", name, "fractal: " + names);
+    const auto names = fractals() | std::views::transform(&Fractal::name);
+    return app.add_option("--fractal", name, fmt::format("fractal: {}", fmt::join(names, ", ")));
 }
 
 inline void add_threads_option(CLI::App& app, int& threads)

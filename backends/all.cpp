@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <ranges>
 #include <span>
 #include <string_view>
 
 #include "core/base/cores.h"
 #include "core/base/environment.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/isolation/isolated.h"
 
 namespace mandelmarch {
@@ -38,19 +40,15 @@ bool isolates(std::span<char*> arguments)
 // Returns the names in MANDELMARCH_BACKENDS. If it is not set, the list is empty and all backends are allowed.
 std::vector<std::string> opened_backends()
 {
-    std::vector<std::string> names;
     const std::string text = environment_variable("MANDELMARCH_BACKENDS");
-    for (std::string_view rest = text; !rest.empty();) {
-        const std::size_t comma = std::min(rest.find(','), rest.size());
-        names.emplace_back(rest.substr(0, comma));
-        rest.remove_prefix(std::min(comma + 1, rest.size()));
-        if (std::ranges::find(registrations, names.back(), &Registration::name) != std::end(registrations)) continue;
-        std::vector<std::string_view> known;
-        for (const Registration& one : registrations) known.push_back(one.name);
+    const std::vector<std::string_view> names = split(text, ',');
+    for (const std::string_view name : names) {
+        if (std::ranges::count(registrations, name, &Registration::name) > 0) continue;
+        const auto known = registrations | std::views::transform(&Registration::name);
         throw InputError(fmt::format("MANDELMARCH_BACKENDS: '{}' given, expected some of {} with commas between them",
-                                     names.back(), fmt::join(known, ", ")));
+                                     name, fmt::join(known, ", ")));
     }
-    return names;
+    return {names.begin(), names.end()};
 }
 
 Registry backends_of(bool isolates_drivers, const std::vector<std::string>& opened)

@@ -17,12 +17,8 @@
 namespace mandelmarch::opencl {
 namespace {
 
-std::string trimmed(std::string text)
-{
-    text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
-    while (!text.empty() && text.back() == ' ') text.pop_back();
-    return printable(text.substr(std::min(text.find_first_not_of(' '), text.size())));
-}
+// Returns a property of a device or platform, up to its first 0.
+std::string shown(const std::string& text) { return printable(trimmed(text.c_str())); }
 
 const char* meaning(cl_int code)
 {
@@ -117,10 +113,10 @@ std::vector<cl::Device> all_devices()
 Device description(const cl::Device& device)
 {
     const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
-    return {.name = trimmed(device.getInfo<CL_DEVICE_NAME>()),
-            .vendor = trimmed(device.getInfo<CL_DEVICE_VENDOR>()),
-            .driver = fmt::format("{}, driver {}", trimmed(platform.getInfo<CL_PLATFORM_VERSION>()),
-                                  trimmed(device.getInfo<CL_DRIVER_VERSION>())),
+    return {.name = shown(device.getInfo<CL_DEVICE_NAME>()),
+            .vendor = shown(device.getInfo<CL_DEVICE_VENDOR>()),
+            .driver = fmt::format("{}, driver {}", shown(platform.getInfo<CL_PLATFORM_VERSION>()),
+                                  shown(device.getInfo<CL_DRIVER_VERSION>())),
             .is_gpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0};
 }
 
@@ -128,7 +124,7 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
 {
     const bool is_float = options.precision == Precision::f32;
     const bool exact = options.mode == Mode::exact;
-    const std::string name = trimmed(device.getInfo<CL_DEVICE_NAME>());
+    const std::string name = shown(device.getInfo<CL_DEVICE_NAME>());
     const bool has_double = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
     if (!is_float && !has_double) {
         throw Unavailable(fmt::format("backend opencl: {} has no double, expected --precision float", name));
@@ -144,7 +140,7 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     // 16 elements, but PoCL's compiler, clang, supports longer ones.
     constexpr std::array lengths{1, 2, 4, 8, 16, 32};
     const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
-    const bool is_pocl = trimmed(platform.getInfo<CL_PLATFORM_NAME>()) == "Portable Computing Language";
+    const bool is_pocl = shown(platform.getInfo<CL_PLATFORM_NAME>()) == "Portable Computing Language";
     const bool has_long = is_pocl && native >= (is_float ? 16 : 8);
     const int longest = has_long ? 32 : std::min(2 * static_cast<int>(native), 16);
     const int suits = is_cpu && native > 1 ? longest : 1;
@@ -169,7 +165,7 @@ Build build_for(const cl::Device& device, const RendererOptions& options)
     }
     // NVIDIA's native functions are single instructions with errors of a few units in the last place. OpenCL itself
     // sets no limit to their errors, so other GPUs do not use them.
-    const bool is_nvidia = trimmed(device.getInfo<CL_DEVICE_VENDOR>()).starts_with("NVIDIA");
+    const bool is_nvidia = shown(device.getInfo<CL_DEVICE_VENDOR>()).starts_with("NVIDIA");
     const bool native_words = is_nvidia && !is_cpu && is_float && !exact && build.lanes == 1;
     build.options += fmt::format(" -DMM_IN_DOUBLE={:d} -DMM_NATIVE={:d}", build.in_double, native_words);
     return build;

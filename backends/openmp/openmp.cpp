@@ -2,12 +2,14 @@
 #include "backends/openmp/openmp.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <cstdlib>
+#include <ranges>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -197,14 +199,11 @@ private:
         const auto of_width =
             std::ranges::find(variants.rbegin(), variants.rend(), options_.simd_width, &Variant<Real>::pack);
         if (of_width != variants.rend()) return *of_width;
-        std::string widths;
-        for (const auto& variant : variants) {
-            if (!variant.counted) continue;
-            widths += fmt::format("{}{}", widths.empty() ? "" : ", ", variant.pack);
-        }
+        std::erase_if(variants, [](const auto& variant) { return !variant.counted; });
+        const auto widths = variants | std::views::transform(&Variant<Real>::pack);
         throw InputError(
             fmt::format("--simd-width: {} is no SIMD width of openmp in {} on this machine, expected one of {}",
-                        options_.simd_width, name_of(options_.precision), widths));
+                        options_.simd_width, name_of(options_.precision), fmt::join(widths, ", ")));
     }
 
     RendererOptions options_;

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <vector>
 
+#include "core/base/text.h"
+
 namespace mandelmarch {
 namespace {
 
@@ -50,10 +52,9 @@ std::string group_of(const std::string& root, std::string_view controller)
         const auto first = line.find(':');
         const auto second = line.find(':', first + 1);
         if (second == std::string::npos) continue;
-        std::istringstream names(line.substr(first + 1, second - first - 1));
-        std::string name;
-        bool here = controller.empty() && second == first + 1;
-        while (std::getline(names, name, ',')) here = here || name == controller;
+        const std::string controllers = line.substr(first + 1, second - first - 1);
+        const bool here =
+            controller.empty() ? controllers.empty() : std::ranges::count(split(controllers, ','), controller) > 0;
         if (here) return line.substr(second + 1);
     }
     return {};

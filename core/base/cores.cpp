@@ -16,7 +16,6 @@
 #include <limits>
 #include <set>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +24,7 @@
 #include "core/base/environment.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 
 namespace mandelmarch {
 namespace {
@@ -58,14 +58,11 @@ int cores_given()
 // Returns the list in an environment variable: its words in small letters, without the blanks around them.
 std::vector<std::string> list_in(VariableName variable)
 {
-    std::istringstream text(environment_variable(variable) + ",");
+    const std::string text = environment_variable(variable) + ",";
     std::vector<std::string> words;
-    for (std::string word; std::getline(text, word, ',');) {
-        const auto blank = [](unsigned char c) { return std::isspace(c) != 0; };
-        word.erase(word.begin(), std::ranges::find_if_not(word, blank));
-        while (!word.empty() && blank(word.back())) word.pop_back();
+    for (const std::string_view part : split(text, ',')) {
+        std::string& word = words.emplace_back(trimmed(part));
         std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        words.push_back(word);
     }
     return words;
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 
 namespace mandelmarch {
 namespace {
@@ -34,13 +35,6 @@ std::string arm_name(std::string_view implementer, std::string_view part)
         if (known.implementer == implementer && known.part == part) return std::string(known.name);
     }
     return fmt::format("ARM implementer {} part {}", implementer, part);
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 std::optional<int> number(const std::string& text)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions for text from outside the program: one makes it printable, one checks it before it is parsed.
+// Functions for text from outside the program: they make it printable, divide it, and check it before it is parsed.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mandelmarch {
 
@@ -13,6 +14,14 @@ inline constexpr std::size_t longest_message = 2000;  // bytes
 // Returns the text as one line. Control characters are escaped as in C (\n, \x1b), and bytes that are not UTF-8 as
 // \xNN. If the result is longer than `most` bytes, it is cut and ends with "...".
 std::string printable(std::string_view text, std::size_t most = longest_message);
+
+inline constexpr std::string_view blanks = " \t\r\n\f\v";
+
+// Returns the text without the blanks at its beginning and end.
+std::string_view trimmed(std::string_view text);
+
+// Returns the parts between separators. A separator at the end of the text ends the last part.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 inline constexpr std::size_t deepest_json = 64;
 

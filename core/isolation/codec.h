@@ -61,7 +61,7 @@ enum class Request : int {
     peak      // options -> whether the peak is known; operations per second
 };
 
-// Responses of a device process. Any number of `progress` messages may precede the final response.
-enum class Answer : int { progress, done, error, input_error, unavailable, hung, no_memory, cancelled };
+// Kinds of responses of a device process. Any number of `progress` messages may precede the final response.
+enum class Response : int { progress, done, error, input_error, unavailable, hung, no_memory, cancelled };
 
 }  // namespace mandelmarch::isolation

@@ -28,8 +28,8 @@ namespace {
 // itself, and sends a more precise message when the limit is exceeded.
 std::chrono::duration<double> limit() { return std::chrono::duration<double>(1.1 * device_timeout() + 1); }
 
-constexpr std::size_t most_said = 1 << 16;  // max bytes of the process's output that are kept until they are printed
-constexpr std::size_t last_words = 300;     // max bytes of this output that an error message quotes
+constexpr std::size_t most_output = 1 << 16;  // max bytes of the process's output that are kept until they are printed
+constexpr std::size_t last_words = 300;       // max bytes of this output that an error message quotes
 
 constexpr VariableName log_variable = "MANDELMARCH_DRIVER_LOG";
 
@@ -65,37 +65,37 @@ DeviceProcess::~DeviceProcess()
     }
 }
 
-std::optional<Packet> DeviceProcess::heard(const char* doing)
+std::optional<Packet> DeviceProcess::receive(const char* doing)
 {
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit());
     for (;;) {
-        std::array<pollfd, 3> from{pollfd{child_.channel.number(), POLLIN, 0}, pollfd{child_.said.number(), POLLIN, 0},
-                                   pollfd{life_.number(), POLLIN, 0}};
+        std::array<pollfd, 3> from{pollfd{child_.channel.number(), POLLIN, 0},
+                                   pollfd{child_.output.number(), POLLIN, 0}, pollfd{life_.number(), POLLIN, 0}};
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
         if (left <= 0) break;
         poll(from.data(), from.size(), static_cast<int>(std::min<long long>(left, 60'000)));
         // Reads the output at once, because the process would block if the pipe were full. Output is not a response.
-        if (from[1].revents != 0) listen();
+        if (from[1].revents != 0) read_output();
         if (from[0].revents != 0) return child_.channel.receive();
         // The channel remains open if a process that the driver has started holds it.
         if (from[2].revents != 0) return std::nullopt;
     }
     end(true);
-    repeat_said();
+    print_output();
     throw DeviceHung(
         fmt::format("{}: no answer within {} s while {} (MANDELMARCH_DEVICE_TIMEOUT)", name_, device_timeout(), doing));
 }
 
-void DeviceProcess::listen()
+void DeviceProcess::read_output()
 {
     std::array<char, 4096> buffer{};
     for (;;) {
-        const ssize_t size = read(child_.said.number(), buffer.data(), buffer.size());
-        if (size == 0) child_.said = Descriptor();  // the process has closed its end
+        const ssize_t size = read(child_.output.number(), buffer.data(), buffer.size());
+        if (size == 0) child_.output = Descriptor();  // the process has closed its end
         if (size <= 0) return;
         log({buffer.data(), static_cast<std::size_t>(size)});
-        said_.append(buffer.data(), static_cast<std::size_t>(size));
-        if (said_.size() > most_said) said_.erase(0, said_.size() - most_said);
+        output_.append(buffer.data(), static_cast<std::size_t>(size));
+        if (output_.size() > most_output) output_.erase(0, output_.size() - most_output);
     }
 }
 
@@ -112,90 +112,89 @@ void DeviceProcess::log(std::string_view text)
     }
 }
 
-void DeviceProcess::repeat_said()
+void DeviceProcess::print_output()
 {
     // Every process of a driver prints the same lines, so a line is printed for the user only once.
     static std::set<std::string, std::less<>> repeated;
     static std::mutex one;
     const std::scoped_lock lock(one);
-    for (std::size_t begin = 0; begin < said_.size();) {
-        const std::size_t end = std::min(said_.find('\n', begin), said_.size() - 1) + 1;
-        const auto [line, is_new] = repeated.insert(said_.substr(begin, end - begin));
+    for (std::size_t begin = 0; begin < output_.size();) {
+        const std::size_t end = std::min(output_.find('\n', begin), output_.size() - 1) + 1;
+        const auto [line, is_new] = repeated.insert(output_.substr(begin, end - begin));
         if (is_new) say(*line);
         begin = end;
     }
-    said_.clear();
+    output_.clear();
 }
 
 std::string DeviceProcess::end(bool now)
 {
     child_.channel = Channel(Descriptor());
     std::string how = fork_server_->end(child_.id, now);
-    listen();
+    read_output();
     ended_ = true;
     return how;
 }
 
-void DeviceProcess::tell(const Serializer& request)
+void DeviceProcess::send(const Serializer& message)
 {
     const std::scoped_lock lock(mutex_);
-    if (!ended_) child_.channel.send(request.bytes());
+    if (!ended_) child_.channel.send(message.bytes());
 }
 
-Deserializer DeviceProcess::ask(const Serializer& request, const char* doing, int descriptor, const Progress& progress)
+Deserializer DeviceProcess::request(const Serializer& message, const char* doing, int descriptor,
+                                    const Progress& progress)
 {
     const std::scoped_lock lock(mutex_);
     const auto ended = [&]() -> Error {
         const std::string how = end();
-        while (!said_.empty() && said_.back() == '\n') said_.pop_back();
-        std::string words = said_.substr(said_.rfind('\n') + 1);
-        said_.clear();
+        while (!output_.empty() && output_.back() == '\n') output_.pop_back();
+        std::string words = output_.substr(output_.rfind('\n') + 1);
+        output_.clear();
         if (!words.empty()) words = fmt::format("; its last words: {}", printable(words, last_words));
         return Error(fmt::format("{}: the driver ended the device's process while {}: {}{}", name_, doing, how, words));
     };
     bool cancelled = false;
-    if (ended_ || !child_.channel.send(request.bytes(), descriptor)) throw ended();
+    if (ended_ || !child_.channel.send(message.bytes(), descriptor)) throw ended();
     for (;;) {
-        auto packet = heard(doing);
+        auto packet = receive(doing);
         if (!packet) throw ended();
         // A message that is too short is nonsense.
-        packet->bytes.resize(std::max(packet->bytes.size(), sizeof(Answer)), '\xff');
-        Deserializer answer(std::move(packet->bytes));
-        const auto kind = answer.take<Answer>();
-        if (kind == Answer::progress) {
-            if (!cancelled) cancelled = !told(progress, answer.take<double>());
+        packet->bytes.resize(std::max(packet->bytes.size(), sizeof(Response)), '\xff');
+        Deserializer response(std::move(packet->bytes));
+        const auto kind = response.take<Response>();
+        if (kind == Response::progress) {
+            if (!cancelled) cancelled = !continues(progress, response.take<double>());
             continue;
         }
-        listen();
-        repeat_said();
-        if (cancelled && (kind == Answer::done || kind == Answer::cancelled)) throw Cancelled();
-        if (kind == Answer::done) return answer;
-        fail(kind, answer, doing);
+        read_output();
+        print_output();
+        if (cancelled && (kind == Response::done || kind == Response::cancelled)) throw Cancelled();
+        if (kind == Response::done) return response;
+        fail(kind, response, doing);
     }
 }
 
-bool DeviceProcess::told(const Progress& progress, double share)
+bool DeviceProcess::continues(const Progress& progress, double share)
 {
     try {
         if (progress) progress(share);
         return true;
     } catch (const Cancelled&) {
-        Serializer request;
-        request(Request::cancel);
-        child_.channel.send(request.bytes());
+        child_.channel.send(Serializer(Request::cancel).bytes());
         return false;
     }
 }
 
-void DeviceProcess::fail(Answer kind, Deserializer& answer, const char* doing)
+void DeviceProcess::fail(Response kind, Deserializer& response, const char* doing)
 {
-    const auto why = [&answer] { return answer.take<std::string>(); };
+    const auto why = [&response] { return response.take<std::string>(); };
     switch (kind) {
-        case Answer::no_memory: throw std::bad_alloc();
-        case Answer::input_error: throw InputError(why());
-        case Answer::unavailable: throw Unavailable(why());
-        case Answer::hung: end(true); throw DeviceHung(why());
-        case Answer::error: throw Error(why());
+        case Response::no_memory: throw std::bad_alloc();
+        case Response::input_error: throw InputError(why());
+        case Response::unavailable: throw Unavailable(why());
+        case Response::hung: end(true); throw DeviceHung(why());
+        case Response::error: throw Error(why());
         default:
             end(true);
             throw Error(fmt::format("{}: the device's process answers nonsense while {}", name_, doing));

@@ -52,14 +52,14 @@ pid_t fork_tied()
     return 0;
 }
 
-// Runs `work` in a new process. Output of drivers goes to the pipe `said`, so that it does not mix with the program's
+// Runs `work` in a new process. Output of drivers goes to the pipe `output`, so that it does not mix with the program's
 // results on stdout.
-[[noreturn]] void run(const Task& work, Descriptor socket, Descriptor said)
+[[noreturn]] void run(const Task& work, Descriptor socket, Descriptor output)
 {
     const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
     dup2(nothing.number(), STDIN_FILENO);
-    dup2(said.number(), STDOUT_FILENO);
-    dup2(said.number(), STDERR_FILENO);
+    dup2(output.number(), STDOUT_FILENO);
+    dup2(output.number(), STDERR_FILENO);
     try {
         work(Channel(std::move(socket)));
     } catch (const std::exception& error) {
@@ -75,23 +75,23 @@ pid_t fork_tied()
 {
     std::signal(SIGCHLD, SIG_DFL);  // otherwise the system would not report how device processes end
     for (const int other : channels()) close(other);
-    while (auto asked = channel.receive()) {
-        Serializer answer;
-        if (asked->descriptor.number() >= 0) {
-            auto said = channel.receive();
-            if (!said) break;
+    while (auto request = channel.receive()) {
+        Serializer response;
+        if (request->descriptor.number() >= 0) {
+            auto output = channel.receive();
+            if (!output) break;
             const pid_t child = fork_tied();
             if (child == 0) {
                 channel = Channel(Descriptor());
-                run(work, std::move(asked->descriptor), std::move(said->descriptor));
+                run(work, std::move(request->descriptor), std::move(output->descriptor));
             }
-            answer(child, errno);
+            response(child, errno);
         } else {
-            Deserializer reader(asked->bytes);
+            Deserializer reader(request->bytes);
             const auto child = reader.take<pid_t>();
-            answer(ChildProcess(child).end(reader.take<bool>() ? 0 : patience).text());
+            response(ChildProcess(child).end(reader.take<bool>() ? 0 : patience).text());
         }
-        if (!channel.send(answer.bytes())) break;
+        if (!channel.send(response.bytes())) break;
     }
     _exit(exit_success);
 }
@@ -119,7 +119,7 @@ ForkServer::~ForkServer()
     waitpid(id_, nullptr, 0);
 }
 
-std::optional<Packet> ForkServer::ask(std::initializer_list<std::pair<std::string, int>> messages) const
+std::optional<Packet> ForkServer::request(std::initializer_list<std::pair<std::string, int>> messages) const
 {
     const std::scoped_lock lock(mutex_);
     for (const auto& [bytes, descriptor] : messages) {
@@ -134,24 +134,22 @@ std::optional<Packet> ForkServer::ask(std::initializer_list<std::pair<std::strin
 Child ForkServer::start() const
 {
     auto [ours, theirs] = Channel::pair();
-    auto [said, says] = make_pipe();
-    fcntl(said.number(), F_SETFL, O_NONBLOCK);
-    const auto answer = ask({{"socket", theirs.number()}, {"pipe", says.number()}});
-    if (!answer) throw Error("the process that starts processes for devices has ended");
-    Deserializer reader(answer->bytes);
+    auto [output, input] = make_pipe();
+    fcntl(output.number(), F_SETFL, O_NONBLOCK);
+    const auto response = request({{"socket", theirs.number()}, {"pipe", input.number()}});
+    if (!response) throw Error("the process that starts processes for devices has ended");
+    Deserializer reader(response->bytes);
     const auto id = reader.take<pid_t>();
     errno = reader.take<int>();
     if (id < 0) fail("no process");
-    return {id, std::move(ours), std::move(said)};
+    return {id, std::move(ours), std::move(output)};
 }
 
 std::string ForkServer::end(pid_t child, bool now) const
 {
-    Serializer message;
-    message(child, now);
-    const auto answer = ask({{message.bytes(), -1}});
-    if (!answer) return "all of the program's other processes have ended";
-    return Deserializer(answer->bytes).take<std::string>();
+    const auto response = request({{Serializer(child, now).bytes(), -1}});
+    if (!response) return "all of the program's other processes have ended";
+    return Deserializer(response->bytes).take<std::string>();
 }
 
 }  // namespace mandelmarch::isolation

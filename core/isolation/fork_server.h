@@ -17,8 +17,8 @@ namespace mandelmarch::isolation {
 // The program's handles of a device process.
 struct Child {
     pid_t id = 0;
-    Channel channel;  // connected to the function `work` in the process
-    Descriptor said;  // pipe with the process's stdout and stderr; non-blocking
+    Channel channel;    // connected to the function `work` in the process
+    Descriptor output;  // pipe with the process's stdout and stderr; non-blocking
 };
 
 class ForkServer {
@@ -40,7 +40,7 @@ public:
 private:
     // Sends messages that form one request, and returns the response; nullopt if the fork server has ended. Kills a
     // fork server that does not respond.
-    std::optional<Packet> ask(std::initializer_list<std::pair<std::string, int>> messages) const;
+    std::optional<Packet> request(std::initializer_list<std::pair<std::string, int>> messages) const;
 
     Channel channel_;
     pid_t id_ = 0;

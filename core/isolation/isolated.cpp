@@ -50,9 +50,9 @@ public:
             memory_.reset();
             memory_ = std::make_unique<SharedMemory>(size);
         }
-        Deserializer answer = process.ask(request, "drawing", fits ? -1 : memory_->descriptor(), progress);
+        Deserializer response = process.request(request, "drawing", fits ? -1 : memory_->descriptor(), progress);
         RenderStats report;
-        transfer(answer, report);
+        transfer(response, report);
         copy_shared(*memory_, image);
         return report;
     }
@@ -96,9 +96,7 @@ public:
     ~IsolatedRenderer() override
     {
         if (process_ == nullptr) return;
-        Serializer request;
-        request(Request::release, number_);
-        process_->tell(request);
+        process_->send(Serializer(Request::release, number_));
     }
 
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
@@ -106,9 +104,8 @@ public:
         return host_->guarded([&] {
             // If the driver has crashed, perhaps in a call of another renderer, the process has ended.
             if (process_->has_ended()) create();
-            Serializer request;
-            request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes,
-                    image.first_row(), image.height());
+            Serializer request(Request::render, number_, image.has_values() ? Image::Layers::all : Image::Layers::bytes,
+                               image.first_row(), image.height());
             transfer(request, scene);
             return host_->draw(*process_, request, image, progress);
         });
@@ -118,9 +115,7 @@ private:
     void create()
     {
         process_ = host_->process();
-        Serializer request;
-        request(Request::create, number_, options_);
-        process_->ask(request, "opening the device");
+        process_->request(Serializer(Request::create, number_, options_), "opening the device");
     }
 
     std::shared_ptr<Host> host_;
@@ -160,11 +155,10 @@ public:
     {
         const auto device = host(options.device);
         return device->guarded([&] {
-            Serializer request;
-            request(Request::peak, options);
-            Deserializer answer = device->process()->ask(request, "measuring the multiply-add peak");
-            const bool known = answer.take<bool>();
-            const auto rate = answer.take<double>();
+            Deserializer response =
+                device->process()->request(Serializer(Request::peak, options), "measuring the multiply-add peak");
+            const bool known = response.take<bool>();
+            const auto rate = response.take<double>();
             return known ? std::optional(rate) : std::nullopt;
         });
     }
@@ -178,10 +172,8 @@ private:
             Listing& found = listing_.emplace();
             try {
                 DeviceProcess process(fork_server_, fmt::format("backend {}", name()));
-                Serializer request;
-                request(Request::list);
-                Deserializer answer = process.ask(request, "listing devices");
-                answer(found.unavailable, found.devices);
+                Deserializer response = process.request(Serializer(Request::list), "listing devices");
+                response(found.unavailable, found.devices);
             } catch (const Error& error) {
                 found.failure = error.what();
             }

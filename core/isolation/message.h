@@ -15,6 +15,12 @@ namespace mandelmarch::isolation {
 class Serializer {
 public:
     template <class... Values>
+    explicit Serializer(const Values&... values)
+    {
+        (put(values), ...);
+    }
+
+    template <class... Values>
     void operator()(const Values&... values)
     {
         (put(values), ...);
@@ -65,7 +71,12 @@ public:
 
 private:
     // Skips `size` bytes and returns their address.
-    const char* advance(std::size_t size);
+    const char* advance(std::size_t size)
+    {
+        if (size > bytes_.size() - at_) throw Error("a message of a device's process is too short");
+        at_ += size;
+        return bytes_.data() + at_ - size;
+    }
 
     template <class Value>
     void take(Value& value)

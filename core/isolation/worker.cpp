@@ -20,10 +20,10 @@ public:
     Worker(const Backend& backend, const Channel& channel) : backend_(backend), channel_(channel) {}
 
     // Executes a request and sends the response. Returns false if the channel has closed.
-    bool answer(Packet& asked)
+    bool respond(Packet& packet)
     {
-        Deserializer request(std::move(asked.bytes));
-        if (asked.descriptor.number() >= 0) memory_ = std::make_unique<SharedMemory>(std::move(asked.descriptor));
+        Deserializer request(std::move(packet.bytes));
+        if (packet.descriptor.number() >= 0) memory_ = std::make_unique<SharedMemory>(std::move(packet.descriptor));
         const auto kind = request.take<Request>();
         if (kind == Request::release) {
             renderers_.erase(request.take<int>());
@@ -31,54 +31,53 @@ public:
         }
         if (kind == Request::cancel) return true;  // the render has already finished
         try {
-            Serializer made;
-            made(Answer::done);
-            carry_out(kind, request, made);
-            return channel_.send(made.bytes());
+            Serializer response(Response::done);
+            carry_out(kind, request, response);
+            return channel_.send(response.bytes());
         } catch (const InputError& error) {
-            return refuse(Answer::input_error, error.what());
+            return refuse(Response::input_error, error.what());
         } catch (const Unavailable& error) {
-            return refuse(Answer::unavailable, error.what());
+            return refuse(Response::unavailable, error.what());
         } catch (const DeviceHung& error) {
-            return refuse(Answer::hung, error.what());
+            return refuse(Response::hung, error.what());
         } catch (const Cancelled& cancelled) {
-            return refuse(Answer::cancelled, cancelled.what());
+            return refuse(Response::cancelled, cancelled.what());
         } catch (const std::bad_alloc&) {
-            return refuse(Answer::no_memory, {});
+            return refuse(Response::no_memory, {});
         } catch (const Error& error) {
-            return refuse(Answer::error, error.what());
+            return refuse(Response::error, error.what());
         } catch (const std::exception& error) {
-            return refuse(Answer::error, fmt::format("backend {}: {}", backend_.name(), error.what()));
+            return refuse(Response::error, fmt::format("backend {}: {}", backend_.name(), error.what()));
         }
     }
 
 private:
-    void carry_out(Request kind, Deserializer& request, Serializer& made)
+    void carry_out(Request kind, Deserializer& request, Serializer& response)
     {
         switch (kind) {
-            case Request::list: return list(made);
+            case Request::list: return list(response);
             case Request::create: {
                 const int number = request.take<int>();
                 renderers_[number] = backend_.create(request.take<RendererOptions>());
                 return;
             }
-            case Request::render: return render(request, made);
+            case Request::render: return render(request, response);
             case Request::peak: {
                 const auto rate = backend_.multiply_add_peak(request.take<RendererOptions>());
-                return made(rate.has_value(), rate.value_or(0));
+                return response(rate.has_value(), rate.value_or(0));
             }
             case Request::release:
             case Request::cancel: return;
         }
     }
 
-    void list(Serializer& made) const
+    void list(Serializer& response) const
     {
         const auto why = backend_.unavailable();
-        made(why.value_or(std::string()), why ? std::vector<Device>() : backend_.devices());
+        response(why.value_or(std::string()), why ? std::vector<Device>() : backend_.devices());
     }
 
-    void render(Deserializer& request, Serializer& made)
+    void render(Deserializer& request, Serializer& response)
     {
         Renderer& renderer = *renderers_.at(request.take<int>());
         const auto layers = request.take<Image::Layers>();
@@ -91,23 +90,19 @@ private:
         }
         SharedImage shared(*memory_, scene.width, rows, layers, first_row);
         const RenderStats report = renderer.render(scene, shared.image, [&](double share) {
-            Serializer progress;
-            progress(Answer::progress, share);
-            channel_.send(progress.bytes());
+            channel_.send(Serializer(Response::progress, share).bytes());
             // The only request that can arrive during a render is to cancel it.
             if (channel_.waiting()) {
                 static_cast<void>(channel_.receive());
                 throw Cancelled();
             }
         });
-        transfer(made, report);
+        transfer(response, report);
     }
 
-    bool refuse(Answer kind, const std::string& why) const
+    bool refuse(Response kind, const std::string& why) const
     {
-        Serializer made;
-        made(kind, printable(why));
-        return channel_.send(made.bytes());
+        return channel_.send(Serializer(kind, printable(why)).bytes());
     }
 
     const Backend& backend_;
@@ -121,7 +116,7 @@ private:
 void serve(const Backend& backend, const Channel& channel)
 {
     Worker worker(backend, channel);
-    for (auto asked = channel.receive(); asked && worker.answer(*asked);) asked = channel.receive();
+    for (auto packet = channel.receive(); packet && worker.respond(*packet);) packet = channel.receive();
     std::_Exit(exit_success);  // skips destructors, in which some drivers crash or hang
 }
 

@@ -2,11 +2,15 @@
 #include "core/render/backend.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <ranges>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace mandelmarch {
 namespace {
@@ -52,30 +56,25 @@ std::string_view name_of(Role role)
 Techniques techniques_without(std::string_view names)
 {
     Techniques techniques;
-    while (!names.empty()) {
-        const std::size_t comma = std::min(names.find(','), names.size());
-        const std::string_view name = names.substr(0, comma);
+    for (const std::string_view name : split(names, ',')) {
         const auto found = std::ranges::find(names_of_techniques, name, &NamedTechnique::name);
         if (found == names_of_techniques.end()) {
-            std::string known;
-            for (const NamedTechnique& one : names_of_techniques) {
-                known += fmt::format("{}{}", known.empty() ? "" : ", ", one.name);
-            }
-            throw InputError(fmt::format("no technique is called '{}', expected some of {}", name, known));
+            const auto known = names_of_techniques | std::views::transform(&NamedTechnique::name);
+            throw InputError(
+                fmt::format("no technique is called '{}', expected some of {}", name, fmt::join(known, ", ")));
         }
         techniques.*found->member = false;
-        names.remove_prefix(std::min(comma + 1, names.size()));
     }
     return techniques;
 }
 
 std::string disabled(const Techniques& techniques)
 {
-    std::string names;
+    std::vector<std::string_view> names;
     for (const NamedTechnique& one : names_of_techniques) {
-        if (!(techniques.*one.member)) names += fmt::format("{}{}", names.empty() ? "" : ",", one.name);
+        if (!(techniques.*one.member)) names.push_back(one.name);
     }
-    return names;
+    return fmt::format("{}", fmt::join(names, ","));
 }
 
 Timings& operator+=(Timings& to, const Timings& from)

@@ -2,8 +2,10 @@
 #include "core/scene/fractal.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <ranges>
 #include <string>
 #include <tuple>
 
@@ -69,12 +71,11 @@ namespace {
 
 const Fractal& fractal_named(std::string_view name)
 {
-    std::string known;
     for (const Fractal& fractal : fractals()) {
         if (fractal.name == name || fractal.short_name == name) return fractal;
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", fractal.name);
     }
-    throw InputError(fmt::format("no fractal is called '{}', expected one of {}", name, known));
+    const auto known = fractals() | std::views::transform(&Fractal::name);
+    throw InputError(fmt::format("no fractal is called '{}', expected one of {}", name, fmt::join(known, ", ")));
 }
 
 }  // namespace mandelmarch

@@ -16,7 +16,6 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::string_view separators = " \t\r\f\v";
 constexpr std::size_t longest_word = 40;  // bytes of a word in a message
 
 // Returns the words of a line without its comment, which begins with #.
@@ -24,10 +23,10 @@ std::vector<std::string_view> words_of(std::string_view line)
 {
     line = line.substr(0, line.find('#'));
     std::vector<std::string_view> words;
-    for (std::size_t from = line.find_first_not_of(separators); from != std::string_view::npos;) {
-        const std::size_t end = std::min(line.find_first_of(separators, from), line.size());
+    for (std::size_t from = line.find_first_not_of(blanks); from != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(blanks, from), line.size());
         words.push_back(line.substr(from, end - from));
-        from = line.find_first_not_of(separators, end);
+        from = line.find_first_not_of(blanks, end);
     }
     return words;
 }
@@ -95,11 +94,7 @@ private:
 LookValues parse_look(std::string_view text, const std::string& name)
 {
     LookReader reader(name);
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        reader.read(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
+    for (const std::string_view line : split(text, '\n')) reader.read(line);
     return reader.result();
 }
 

@@ -13,12 +13,11 @@
 #include "core/base/input_file.h"
 #include "core/scene/fractal.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/image/image.h"
 
 namespace mandelmarch {
 namespace {
-
-constexpr std::string_view blanks = " \t\r\f\v";
 
 // Quotes text of the user for a message. Replaces characters that are not printable ASCII, and cuts long texts.
 std::string quoted(std::string_view text)
@@ -27,13 +26,6 @@ std::string quoted(std::string_view text)
     std::string shown;
     for (const char c : text.substr(0, most)) shown += c >= ' ' && c <= '~' ? c : '?';
     return "'" + shown + (text.size() > most ? "'..." : "'");
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 // Removes a comment. It begins with a # that is the first character of the line or follows a blank.

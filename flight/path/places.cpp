@@ -27,14 +27,6 @@ using Fields = std::array<std::string, columns>;
 constexpr std::string_view tour_word = "tour";
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 class PlacesReader {
 public:
     explicit PlacesReader(const std::string& name)

@@ -2,8 +2,10 @@
 #include "flight/plan/map.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "core/base/version.h"
@@ -29,9 +31,7 @@ std::string number(double value) { return fmt::format("{:.5g}", value == 0 ? 0.0
 template <class Items, class Text>
 std::string list(const Items& items, Text text_of)
 {
-    std::string text;
-    for (const auto& item : items) text += fmt::format("{}{}", text.empty() ? "" : ",", text_of(item));
-    return fmt::format("[{}]", text);
+    return fmt::format("[{}]", fmt::join(items | std::views::transform(text_of), ","));
 }
 
 // Returns up to `most` balls as JSON, each as [x, y, z, clearance]. Balls that contain a point of the path come first,

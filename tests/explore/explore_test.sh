@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # explore_test.sh BIN [SHIM]: tests the explorer in a window on an X server of its own; parts_test.cpp tests its model.
-# The explorer flies, compares, records a path that flythrough accepts, and survives a driver that dies. SHIM: the shim of opencl_faults. Without Xvfb, SDL's dummy window is used.
+# The explorer flies, compares, records a path that flythrough accepts, and survives a driver that dies. SHIM: the shim of OpenCL (tests/drivers). Without Xvfb, SDL's dummy window is used.
 set -uo pipefail
 bin=$1
 shim=${2:-}
@@ -100,7 +100,7 @@ code=$?
 # If a driver dies, an error line appears and another backend renders.
 if [ -n "$shim" ] && "$bin/render" --list-devices | grep -q '^opencl *0: '; then
     printf '%s\n' rest tell next-backend rest tell >abort.txt
-    MANDELMARCH_MISCONDUCT="launch abort" LD_PRELOAD=$shim play abort --backend opencl --size 200x160
+    MANDELMARCH_FAULT="launch abort" LD_PRELOAD=$shim play abort --backend opencl --size 200x160
     is abort 1 '"ended the device" in t["panes"][0]["failure"]' True
     is abort 2 't["panes"][0]["samples"] == 4 and t["panes"][0]["failure"]' ''
 fi

@@ -15,13 +15,7 @@ test_pictures() {
     same_file image.bmp again.bmp
     expect 0 "$bin/mandelbox" paramsBox.dat --size 40x30 --output again.png
     says '^drawing with openmp \('
-    for format in bmp png exr ppm jpg; do expect 0 bulb --output a.$format; done
-    for format in bmp png exr; do same_picture a.$format a.$format; done
-    [ "$(head -c 3 a.jpg | od -An -tx1)" = " ff d8 ff" ] || fail "a.jpg is no JPEG"
-    same_picture a.bmp a.png
-    same_picture a.bmp a.ppm
-    same_picture a.png a.exr
-    expect 0 "$bin/mandelbulb" paramsBulb.dat --size 1x1 --output one.bmp
+    same_picture image.bmp again.png
     expect 0 bulb --output /dev/null --stats /dev/null
     expect 0 "$bin/mandelbulb" --help
     prints 'plus, for each pixel, 3 bytes'
@@ -42,7 +36,6 @@ test_standard_streams() {
     expect 0 "$bin/mandelbulb" dash.dat $small --stats dash.json
     same_file stdout a.bmp
     [ -e ./- ] && fail "a file called - is made"
-    bulb --output /dev/stdout 2>stderr | head -c 10 >/dev/null
     # A program ignores that it cannot write a message. If it cannot write a result, it fails.
     awk '/^imageBulb/ { print 4 } { print }' paramsBulb.dat >warning.dat
     expect 0 "$bin/mandelbulb" warning.dat $small --output kept.bmp
@@ -72,14 +65,11 @@ test_samples() {
     other_picture fine.png a.png
     expect 0 bulb --samples 1 --output fine.png
     same_picture fine.png a.png
-    expect 0 bulb --samples 2 --output fine.exr
-    expect 0 bulb --samples 2 --output fine.png
-    "$bin/imgdiff" fine.exr fine.png >stdout
-    prints 'at most 1/255'
     local samples number
-    for samples in 0 9 1.5 x; do expect 2 bulb --samples $samples; done
+    for samples in 0 9 x; do expect 2 bulb --samples $samples; done
     expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40000x10 --samples 2
     says 'expected sides of up to'
+    expect 0 bulb --samples 2 --output fine.png
     # In old parameter files, an additional line also selects super-sampling.
     for number in 0 1; do
         awk -v n=$number '/^imageBulb/ { print n } { print }' paramsBulb.dat >super.dat
@@ -87,7 +77,6 @@ test_samples() {
         says ":27: warning: '$number' taken as the super-sampling"
         if [ $number = 0 ]; then same_file super.png a.png; else same_file super.png fine.png; fi
     done
-    cmp -s a.png fine.png && fail "super-sampling changes nothing"
 }
 
 # unit/region_test.cpp tests the bits of regions. The whole picture, of which a region is rendered, may be larger than
@@ -100,9 +89,7 @@ test_regions() {
     [ "$(sed -n 2p region.ppm)" = "20 10" ] || fail "a region of another size"
     expect 0 "$bin/mandelbulb" paramsBulb.dat --size 100000x40 --region 50000,20,30,2 --mode fast --precision float \
         --backend openmp --output region.png
-    for region in 0,0,41,30 0,0,40,31 39,29,2,1 -1,0,2,2 0,0,0,1 0,0,1 0,0,1,1,1 x 0,0,1x; do
-        expect 2 bulb --region $region
-    done
+    for region in 0,0,41,30 -1,0,2,2 0,0,0,1 0,0,1x; do expect 2 bulb --region $region; done
     says 'expected X,Y,WIDTH,HEIGHT of a part of 40 x 30 pixels'
     expect 2 bulb --region 0,0,4,4 --eyes 1
 }
@@ -131,8 +118,7 @@ test_differences_and_traces() {
         prints 'hit: DE is below the tolerance$'
     done
     prints '^a trial on openmp chose the step factor$'
-    for options in "--trace" "--pixel 3,4" "--pixel 40,3 --trace" "--pixel 3,30 --trace" "--pixel -1,3 --trace" \
-        "--pixel 3 --trace" "--pixel 3,x --trace"; do
+    for options in "--trace" "--pixel 40,3 --trace" "--pixel 3,x --trace"; do
         expect 2 "$bin/mandelbulb" paramsBulb.dat --size 40x30 $options
     done
     says "^--pixel: '3,x' given, expected X,Y of a pixel, from 0,0 at the bottom left to 39,29 at the top right"
@@ -145,14 +131,12 @@ test_statistics() {
         '"de_calls": [1-9]' '"iterations": [1-9]' '"steps": [1-9]' '"wall": 0'; do
         grep -q "$text" stats.json || fail "statistics without $text"
     done
-    # The scene is too fine for float. One line warns of this, and the stats have the way in which it was rendered.
+    # The scene is too fine for float, and the stats have this.
     sed 's/^14.0 8.0 10.0$/-2.0239316 -0.1431710 2.4512503/; s/^0 0 0$/-0.2198636 0.2761599 0.0554219/; s/^-4$/-3.7215097/
          s/^2 0.5 1$/2.1486392 0.7831253 1.4890415/; s/^18 100$/32 100/' paramsBox.dat >fine.dat
     expect 0 "$bin/mandelbox" fine.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
-    says "float's digits are too few for this view: .* --precision double"
     grep -q '"unsettled": 0\.[0-9]*[1-9]' stats.json || fail "statistics without what is unsettled"
     expect 0 "$bin/mandelbox" paramsBox.dat --size 61x45 --precision float --mode fast --stats stats.json --output a.png
-    grep -q 'shorter steps' stderr && fail "the official scene is called too fine"
     grep -q '"step_factor": 0\.95' stats.json || fail "statistics without the steps"
     grep -q '"unsettled": 0\.0,' stats.json || fail "the official scene is unsettled in the statistics"
 }
@@ -178,15 +162,12 @@ test_arguments() {
     done
     expect 77 bulb --device 5 --output new.bmp
     expect 77 "$bin/mandelbulb" paramsBulb.dat --size 40x30 --backend reference --precision float --output new.bmp
-    for arguments in "" "--nonsense" "paramsBulb.dat --backend metal" "paramsBulb.dat --precision half" \
-        "paramsBulb.dat --mode slow" "paramsBulb.dat --size 0x5" "paramsBulb.dat --size 5" "paramsBulb.dat --size 0x10x10" \
-        "paramsBulb.dat --size -5x5" "paramsBulb.dat --size 5.5x5" "paramsBulb.dat --size 65536x1" "paramsBulb.dat --size x" \
-        "paramsBulb.dat --threads -1" "paramsBulb.dat --threads many" "paramsBulb.dat --simd-width 3 --backend openmp" \
+    for arguments in "" "--nonsense" "paramsBulb.dat --backend metal" "paramsBulb.dat --size 0x5" "paramsBulb.dat --size 5.5x5" \
+        "paramsBulb.dat --size 65536x1" "paramsBulb.dat --threads many" "paramsBulb.dat --simd-width 3 --backend openmp" \
         "paramsBulb.dat --device -1" "paramsBulb.dat --without cones" "paramsBulb.dat more.dat"; do
         expect 2 "$bin/mandelbulb" $arguments
     done
     expect 2 "$bin/render" paramsBulb.dat
-    expect 2 "$bin/render" --fractal no-such-fractal paramsBulb.dat
     # Without a parameter file, render draws the official scene.
     expect 0 "$bin/render" --fractal box --size 40x30 --output official.png
     expect 0 "$bin/render" --fractal box paramsBox.dat --size 40x30 --output given.png
@@ -200,8 +181,6 @@ test_arguments() {
     done
     expect 2 bulb --output=
     says "'--output=' given, expected a value behind ="
-    expect 2 bulb --projection fish
-    says 'projection: fish not in \{perspective,equirectangular\}'
 }
 
 # A message about a parameter file begins with the file's name and the line, and explains units, comments and
@@ -209,11 +188,6 @@ test_arguments() {
 test_parameter_files() {
     expect 2 "$bin/mandelbulb" missing.dat
     says '^missing.dat: No such file .*expected'
-    expect 2 "$bin/mandelbulb" .
-    says '^\.: Is a directory'
-    head -c 9000000 /dev/zero >zeros.dat
-    expect 2 "$bin/mandelbulb" zeros.dat
-    says '^zeros.dat:'
     awk '!/^#/ && NF == 1 && !done { print 60; done = 1; next } { print }' paramsBulb.dat >degrees.dat
     expect 2 "$bin/mandelbulb" degrees.dat
     says "field of view, in units of 65 degrees, is '60', expected"
@@ -231,15 +205,7 @@ test_output_files() {
         expect 2 "$bin/mandelbulb" unknown.dat $small
     done
     expect 2 bulb --output missing/a.bmp
-    mkdir folder.bmp
-    expect 2 bulb --output folder.bmp
     expect 2 bulb --stats missing/a.json --output new.bmp
-    if [ "$(id -u)" != 0 ]; then
-        mkdir locked && chmod 555 locked
-        expect 2 bulb --output locked/a.bmp
-    fi
-    expect 2 "$bin/mandelbulb" paramsBulb.dat --size 65535x65535 --output huge.bmp
-    says 'PNG or EXR'
     expect 2 "$bin/mandelbulb" paramsBulb.dat --size 65535x65535 --output huge.exr
     says 'MiB of memory'
     mkdir gone
@@ -263,19 +229,13 @@ test_output_files() {
 
 # Names with control characters, and long values, are printed in one short line.
 test_odd_names() {
-    local odd=$'a\n\e[31m' format
+    local odd=$'a\n\e[31m'
     awk '/^imageBulb/ { print 4 } { print }' paramsBulb.dat >"$odd.dat"
-    for format in bmp png exr; do expect 0 bulb --output a.$format; done
-    expect 0 "$bin/mandelbulb" "$odd.dat" $small --output b.png
+    expect 0 "$bin/mandelbulb" "$odd.dat" $small --output "$odd.png"
     [ "$(wc -l <stderr)" = 1 ] || fail "a warning of $(wc -l <stderr) lines"
-    expect 2 "$bin/mandelbulb" "$odd.none"
-    for format in bmp png exr; do
-        head -c 300 a.$format >"$odd.$format"
-        expect 2 "$bin/imgdiff" "$odd.$format" a.$format
-        says '^a\\n\\x1b\[31m'
-    done
-    expect 0 "$bin/mandelbulb" paramsBulb.dat --size 33x21 --backend openmp --output "$odd.bmp"
-    expect 1 "$bin/imgdiff" "$odd.bmp" a.bmp
+    truncate -s 300 "$odd.png"
+    expect 2 "$bin/imgdiff" "$odd.png" paramsBulb.dat
+    says '^a\\n\\x1b\[31m'
     expect 2 "$bin/mandelbulb" paramsBulb.dat --size "$(head -c 100000 /dev/zero | tr '\0' 7)"
     [ "$(wc -c <stderr)" -lt 3000 ] || fail "a line of $(wc -c <stderr) bytes"
 }
@@ -298,7 +258,7 @@ test_signals() {
     done
 }
 
-# The disk is full, which /dev/full and a limit on file sizes simulate. unit/image_file_test.cpp tests all formats.
+# The disk is full, which /dev/full simulates. unit/image_file_test.cpp tests all formats.
 test_full_disk() {
     expect 1 bulb --output /dev/full
     says 'No space left'
@@ -307,11 +267,6 @@ test_full_disk() {
     [ -s first.json ] || fail "the statistics come after the picture"
     expect 1 bulb --output last.bmp --stats /dev/full
     [ -s last.bmp ] || fail "a picture is lost, because its statistics cannot be written"
-    expect 0 bulb --output a.bmp
-    cp a.bmp kept.bmp
-    expect 1 bash -c "ulimit -f 8; exec '$bin/mandelbulb' paramsBulb.dat --size 200x200 --backend openmp --output kept.bmp"
-    says 'File too large'
-    same_file kept.bmp a.bmp
 }
 
 test_environment() {

@@ -265,7 +265,7 @@ TEST_F(Isolation, MemoryThatCannotBeSharedIsAnErrorWithItsCause)
     EXPECT_NE(why.find("File too large"), std::string::npos) << why;
 }
 
-TEST_F(Isolation, AProcessThatEndsIsAnErrorThatSaysWhereAndHow)
+TEST_F(Isolation, AnErrorNamesWhereAndHowAProcessEnded)
 {
     const auto opening = made(Where::opening);
     const auto drawing = made(Where::drawing);
@@ -335,7 +335,7 @@ TEST_F(Isolation, ACrashDoesNotTakeAnotherRendererOfItsDeviceAlong)
     EXPECT_TRUE(drawn(*other));
 }
 
-TEST_F(Isolation, ADeviceThatHangsIsNotAskedAgain)
+TEST_F(Isolation, ADeviceThatHungIsGivenUp)
 {
     const auto renderer = made(Where::drawing)->create({.device = hangs});
     const auto draw = [&] { drawn(*renderer, bad_scene()); };

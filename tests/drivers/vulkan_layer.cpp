@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Vulkan layer that makes a good driver fail. MANDELMARCH_FAULT_AFTER: the number of calls that succeed before the
-// fault. MANDELMARCH_FAULT: the fault, one of
+// A layer between the Vulkan loader and a good driver, which makes the driver fail (faults.h). The words are
 //   memory           vkAllocateMemory returns VK_ERROR_OUT_OF_DEVICE_MEMORY
 //   lost             vkQueueSubmit returns VK_ERROR_DEVICE_LOST
 //   silent           vkWaitForFences never sees a signalled fence
@@ -16,57 +15,38 @@
 #include <vulkan/vulkan.h>
 
 #include <chrono>
-#include <cstdlib>
-#include <cstring>
 #include <map>
-#include <string>
 #include <string_view>
 #include <thread>
-#include <type_traits>
 #include <vector>
 
-#include "tests/drivers/driver_faults.h"
-#include "tests/vulkan_faults/wrong_arithmetic.h"
+#include "tests/drivers/faults.h"
+#include "tests/drivers/wrong_arithmetic.h"
 
 namespace {
 
+using namespace mandelmarch::drivers;
 using mandelmarch::Rewritten;
 using mandelmarch::without_division;
-using mandelmarch::drivers::driver_faults;
+
+using Functions = std::map<std::string_view, PFN_vkVoidFunction>;
 
 // Functions of the next layer, for the instance and device created last. One set is enough, because all instances and
 // devices of a program have the same driver.
 struct Next {
     PFN_vkGetInstanceProcAddr instance_proc = nullptr;
     PFN_vkGetDeviceProcAddr device_proc = nullptr;
-    PFN_vkCreateDevice create_device = nullptr;
-    PFN_vkGetPhysicalDeviceFeatures get_features = nullptr;
-    PFN_vkGetPhysicalDeviceProperties get_properties = nullptr;
-    PFN_vkGetPhysicalDeviceProperties2 get_properties2 = nullptr;
-    PFN_vkAllocateMemory allocate_memory = nullptr;
-    PFN_vkQueueSubmit queue_submit = nullptr;
-    PFN_vkWaitForFences wait_for_fences = nullptr;
-    PFN_vkCreateFence create_fence = nullptr;
-    PFN_vkCreateShaderModule create_shader_module = nullptr;
-    PFN_vkMapMemory map_memory = nullptr;
-    PFN_vkDestroyDevice destroy_device = nullptr;
-    int calls = 0;  // of the function that the fault affects
+    Functions functions;
 };
 Next next;
 
-bool wanted(std::string_view fault)
+template <class Function>
+Function real(std::string_view name)
 {
-    const char* name = std::getenv("MANDELMARCH_FAULT");
-    return name != nullptr && name == fault;
+    return reinterpret_cast<Function>(next.functions.at(name));
 }
 
-// Counts the calls of the function that the fault affects. Returns true if this call must fail.
-bool strikes(std::string_view fault)
-{
-    if (!wanted(fault)) return false;
-    const char* after = std::getenv("MANDELMARCH_FAULT_AFTER");
-    return next.calls++ >= (after == nullptr ? 0 : std::atoi(after));
-}
+const Functions& own_functions();
 
 // Returns the layer's entry in the chain that the loader passes to vkCreateInstance and vkCreateDevice.
 template <class LayerInfo, class CreateInfo>
@@ -88,13 +68,9 @@ VkResult create_instance(const VkInstanceCreateInfo* create, const VkAllocationC
     const VkResult result = create_next(create, memory, instance);
     if (result != VK_SUCCESS) return result;
     // Queries the functions now, because a later query would return those of the first layer.
-    const auto ask = [&](auto& function, const char* name) {
-        function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(next.instance_proc(*instance, name));
-    };
-    ask(next.create_device, "vkCreateDevice");
-    ask(next.get_features, "vkGetPhysicalDeviceFeatures");
-    ask(next.get_properties, "vkGetPhysicalDeviceProperties");
-    ask(next.get_properties2, "vkGetPhysicalDeviceProperties2");
+    for (const auto& [name, function] : own_functions()) {
+        next.functions[name] = next.instance_proc(*instance, name.data());
+    }
     return result;
 }
 
@@ -104,44 +80,36 @@ VkResult create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* crea
     auto* link = link_of<VkLayerDeviceCreateInfo>(create, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
     next.device_proc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const VkResult result = next.create_device(physical, create, memory, device);
+    const VkResult result = real<PFN_vkCreateDevice>("vkCreateDevice")(physical, create, memory, device);
     if (result != VK_SUCCESS) return result;
-    const auto ask = [&](auto& function, const char* name) {
-        function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(next.device_proc(*device, name));
-    };
-    ask(next.allocate_memory, "vkAllocateMemory");
-    ask(next.queue_submit, "vkQueueSubmit");
-    ask(next.wait_for_fences, "vkWaitForFences");
-    ask(next.create_fence, "vkCreateFence");
-    ask(next.create_shader_module, "vkCreateShaderModule");
-    ask(next.map_memory, "vkMapMemory");
-    ask(next.destroy_device, "vkDestroyDevice");
+    for (auto& [name, function] : next.functions) {
+        if (const auto of_device = next.device_proc(*device, name.data())) function = of_device;
+    }
     return result;
 }
 
 void get_features(VkPhysicalDevice physical, VkPhysicalDeviceFeatures* features)
 {
-    next.get_features(physical, features);
-    if (wanted("no_double")) features->shaderFloat64 = VK_FALSE;
+    real<PFN_vkGetPhysicalDeviceFeatures>("vkGetPhysicalDeviceFeatures")(physical, features);
+    if (has_fault("no_double")) features->shaderFloat64 = VK_FALSE;
 }
 
 void get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties)
 {
-    next.get_properties(physical, properties);
-    if (wanted("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+    real<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties")(physical, properties);
+    if (has_fault("discrete_gpu")) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
     // Returns garbage: a name that fills its array without a terminating 0.
-    if (!driver_faults("enumeration")) return;
+    if (!driver_faults("list")) return;
     for (std::size_t i = 0; i < sizeof properties->deviceName; ++i) {
-        properties->deviceName[i] =
-            mandelmarch::drivers::garbage_name[i % std::strlen(mandelmarch::drivers::garbage_name)];
+        properties->deviceName[i] = garbage_name[i % garbage_name.size()];
     }
 }
 
 void get_properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
 {
-    next.get_properties2(physical, properties);
+    real<PFN_vkGetPhysicalDeviceProperties2>("vkGetPhysicalDeviceProperties2")(physical, properties);
     for (auto* part = static_cast<VkBaseOutStructure*>(properties->pNext); part != nullptr; part = part->pNext) {
-        if (wanted("unknown_driver") && part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES) {
+        if (has_fault("unknown_driver") && part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES) {
             reinterpret_cast<VkPhysicalDeviceDriverProperties*>(part)->driverID = VkDriverId{};
         }
     }
@@ -150,47 +118,46 @@ void get_properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* pro
 VkResult allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* callbacks,
                          VkDeviceMemory* memory)
 {
-    if (strikes("memory")) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    return next.allocate_memory(device, info, callbacks, memory);
+    if (fails("memory")) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    return real<PFN_vkAllocateMemory>("vkAllocateMemory")(device, info, callbacks, memory);
 }
 
 VkResult queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence)
 {
-    // If the action is garbage, the submission does nothing and reports success.
-    if (driver_faults("launch")) count = 0;
-    if (strikes("lost")) return VK_ERROR_DEVICE_LOST;
-    return next.queue_submit(queue, count, infos, fence);
+    driver_faults("launch");
+    if (fails("lost")) return VK_ERROR_DEVICE_LOST;
+    return real<PFN_vkQueueSubmit>("vkQueueSubmit")(queue, count, infos, fence);
 }
 
 VkResult wait_for_fences(VkDevice device, std::uint32_t count, const VkFence* fences, VkBool32 all,
                          std::uint64_t timeout)
 {
-    if (strikes("silent")) {
+    if (fails("silent")) {
         std::this_thread::sleep_for(std::chrono::nanoseconds(timeout));
         return VK_TIMEOUT;
     }
-    return next.wait_for_fences(device, count, fences, all, timeout);
+    return real<PFN_vkWaitForFences>("vkWaitForFences")(device, count, fences, all, timeout);
 }
 
 VkResult create_fence(VkDevice device, const VkFenceCreateInfo* info, const VkAllocationCallbacks* memory,
                       VkFence* fence)
 {
     VkFenceCreateInfo misused = *info;
-    if (wanted("misuse")) misused.flags |= 0x40000000;
-    return next.create_fence(device, &misused, memory, fence);
+    if (has_fault("misuse")) misused.flags |= 0x40000000;
+    return real<PFN_vkCreateFence>("vkCreateFence")(device, &misused, memory, fence);
 }
 
 VkResult map_memory(VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size,
                     VkMemoryMapFlags flags, void** data)
 {
     driver_faults("map");
-    return next.map_memory(device, memory, offset, size, flags, data);
+    return real<PFN_vkMapMemory>("vkMapMemory")(device, memory, offset, size, flags, data);
 }
 
 void destroy_device(VkDevice device, const VkAllocationCallbacks* callbacks)
 {
     driver_faults("release");
-    next.destroy_device(device, callbacks);
+    real<PFN_vkDestroyDevice>("vkDestroyDevice")(device, callbacks);
 }
 
 VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* info,
@@ -198,14 +165,14 @@ VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* i
 {
     VkShaderModuleCreateInfo changed = *info;
     std::vector<std::uint32_t> words(info->pCode, info->pCode + info->codeSize / 4);
-    if (wanted("float_units")) words = Rewritten(words).off_by_a_unit();
-    if (wanted("contraction")) words = Rewritten(words).contracted();
-    if (wanted("float_division")) words = without_division(words, 32);
-    if (wanted("double_division")) words = without_division(words, 64);
+    if (has_fault("float_units")) words = Rewritten(words).off_by_a_unit();
+    if (has_fault("contraction")) words = Rewritten(words).contracted();
+    if (has_fault("float_division")) words = without_division(words, 32);
+    if (has_fault("double_division")) words = without_division(words, 64);
     if (driver_faults("build")) return VK_ERROR_INITIALIZATION_FAILED;
     changed.codeSize = 4 * words.size();
     changed.pCode = words.data();
-    return next.create_shader_module(device, &changed, memory, module);
+    return real<PFN_vkCreateShaderModule>("vkCreateShaderModule")(device, &changed, memory, module);
 }
 
 template <class Function>
@@ -214,7 +181,11 @@ PFN_vkVoidFunction plain(Function* function)
     return reinterpret_cast<PFN_vkVoidFunction>(function);
 }
 
-PFN_vkVoidFunction own(std::string_view name);
+PFN_vkVoidFunction own(std::string_view name)
+{
+    const auto found = own_functions().find(name);
+    return found == own_functions().end() ? nullptr : found->second;
+}
 
 PFN_vkVoidFunction device_proc(VkDevice device, const char* name)
 {
@@ -228,9 +199,9 @@ PFN_vkVoidFunction instance_proc(VkInstance instance, const char* name)
     return next.instance_proc == nullptr ? nullptr : next.instance_proc(instance, name);
 }
 
-PFN_vkVoidFunction own(std::string_view name)
+const Functions& own_functions()
 {
-    static const std::map<std::string_view, PFN_vkVoidFunction> functions{
+    static const Functions functions{
         {"vkGetInstanceProcAddr", plain(instance_proc)},
         {"vkGetDeviceProcAddr", plain(device_proc)},
         {"vkCreateInstance", plain(create_instance)},
@@ -246,8 +217,7 @@ PFN_vkVoidFunction own(std::string_view name)
         {"vkMapMemory", plain(map_memory)},
         {"vkDestroyDevice", plain(destroy_device)},
     };
-    const auto found = functions.find(name);
-    return found == functions.end() ? nullptr : found->second;
+    return functions;
 }
 
 }  // namespace
