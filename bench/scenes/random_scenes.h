@@ -80,10 +80,10 @@ struct RandomResult {
 // Sets the sums, in the order of the fractals.
 RandomResult summed(RandomResult result);
 
-// Renders each scene of every set at 61 x 45 pixels: the canonical picture, and the backend's picture in fast mode in
-// both precisions. The backend `reference` renders the canonical picture; if it does not support the scene, openmp's
-// scalar kernel does, without the optimisations of the march. Calls `progress` with the completed fraction of the
-// canonical pictures. Throws InputError if options.backend is unknown, and Unavailable if it has no device.
+// Renders each scene of every set at 61 x 45 pixels: the expected picture of fast mode (core/render/expected.h), which
+// is the canonical one, and the backend's picture in fast mode in both precisions. Calls `progress` with the completed
+// fraction of the canonical pictures. Throws InputError if options.backend is unknown, and Unavailable if it has no
+// device.
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress);
 

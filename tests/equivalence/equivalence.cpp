@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/render/expected.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
@@ -25,14 +26,11 @@ std::string to_text(const EquivalenceRow& row)
 
 const Image& Expected::picture(const NamedScene& scene, Precision precision, Mode mode)
 {
-    const bool has_oracle = registry_.find("reference")->draws(scene.scene);
-    RendererOptions options{
-        .precision = mode == Mode::fast ? Precision::f64 : precision, .mode = mode, .simd_width = 1};
-    const std::string key = fmt::format("{} {} {}", scene.name, name_of(options.precision), name_of(mode));
+    const ExpectedBy by = expected_by(registry_, scene.scene, precision, mode);
+    const std::string key = fmt::format("{} {}", scene.name, by.name);
     const auto found = pictures_.find(key);
     if (found != pictures_.end()) return found->second;
-    const Backend& baseline = *registry_.find(mode == Mode::fast && has_oracle ? "reference" : "openmp");
-    return pictures_.emplace(key, render(baseline, scene.scene, options)).first->second;
+    return pictures_.emplace(key, render(*by.backend, scene.scene, by.options)).first->second;
 }
 
 std::string Expected::suspicion(const NamedScene& scene, Precision precision, const Backend& backend,
