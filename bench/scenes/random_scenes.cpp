@@ -9,8 +9,6 @@
 #include <random>
 #include <tuple>
 
-#include "bench/base/table.h"
-#include "bench/machine/environment.h"
 #include "core/base/error.h"
 #include "core/render/agreement.h"
 #include "core/render/expected.h"
@@ -184,7 +182,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
                         .without = options.without,
                         .width = picture_width,
                         .height = picture_height,
-                        .environment = environment(registry),
+                        .environment = {},
                         .rows = {},
                         .sums = {}};
     std::vector<DrawnScene> scenes = scenes_of(options);

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/study/options.h"
 #include "core/render/registry.h"
 #include "core/scene/scene.h"
 
@@ -16,7 +15,7 @@ namespace mandelmarch::bench {
 
 struct RandomOptions {
     std::string backend = {};  // name; empty: the host's backend
-    std::vector<const Fractal*> fractals = default_fractals();
+    std::vector<const Fractal*> fractals{};
     int scenes = 60;                                                 // per fractal and set
     std::vector<unsigned> sets{1001, 2002, 3003, 4004, 5005, 6006};  // seeds
     std::string without{};                                           // disabled optimisations, separated by commas
@@ -70,7 +69,7 @@ inline constexpr double most_wrong_hits = 0.0002;  // fraction of the pixels tha
 struct RandomResult {
     std::string backend, without;
     int width = 0, height = 0;  // pixels of each picture
-    nlohmann::ordered_json environment;
+    nlohmann::ordered_json environment;  // set by the caller
     std::vector<RandomRow> rows;  // ordered by precision, fractal, set
 
     std::vector<RandomSums> sums;  // set by summed()
