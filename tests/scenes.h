@@ -5,18 +5,15 @@
 
 #include "core/render/backend.h"
 #include "core/scene/parameter_file.h"
+#include "core/scene/random_scene.h"
 
 namespace mandelmarch {
 
 // Returns an official scene at another size, in pixels.
 Scene official_scene(const std::string& short_name, int width, int height);
 
-// A scene and the name that messages give it. The odd scenes differ from the official scenes: they have other powers, a
-// negative scale, other radii, other up vectors, or a camera inside the fractal.
-struct NamedScene {
-    std::string name;
-    Scene scene;
-};
+// Returns scenes that differ from the official ones: they have other powers, a negative scale, other radii, other up
+// vectors, or a camera inside the fractal.
 std::vector<NamedScene> odd_scenes();
 
 // Returns scenes of every fractal with random cameras, shapes and iterations; the same seed gives the same scenes.

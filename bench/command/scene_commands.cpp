@@ -12,6 +12,8 @@
 #include "bench/command/outputs.h"
 #include "bench/scenes/random_scenes.h"
 #include "bench/files/result_file.h"
+#include "bench/machine/environment.h"
+#include "bench/study/options.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 
@@ -60,6 +62,7 @@ Run random_command(CLI::App& app, Registry& registry)
 {
     const auto state = std::make_shared<State<RandomOptions, RandomResult>>();
     RandomOptions& o = state->options;
+    o.fractals = default_fractals();
     app.add_option("--backend", o.backend, "backend to test (default: openmp)");
     add_fractal(app, o.fractals, "fractals to render: all that bench studies by default, or one name");
     app.add_option("--without", o.without,
@@ -75,6 +78,7 @@ Run random_command(CLI::App& app, Registry& registry)
         return state->outputs.deliver({}, [&]() -> Outputs::Done {
             Display display;
             state->found = measure_random(registry, state->options, shown(display, "canonical pictures"));
+            state->found.environment = environment(registry);
             return {to_console(state->found), state->found.passed()};
         });
     };
@@ -110,7 +114,11 @@ Run equivalence_command(CLI::App& app, Registry& registry)
             found = compare_backends(
                 registry, state->options, [&](const Discrepancy& d) { show(d, *folder); },
                 shown(display, "random scenes"));
-            return {to_console(found), found.failures.empty() && found.discrepancies.empty()};
+            found.environment = environment(registry);
+            const std::string title =
+                fmt::format("Exact pictures of {} random scenes, seed {}, against {} --simd-width 1\n",
+                            state->options.scenes, state->options.seed, registry.with(Role::host).name());
+            return {title + to_console(found), found.failures.empty() && found.discrepancies.empty()};
         });
     };
 }

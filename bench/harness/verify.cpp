@@ -14,8 +14,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-constexpr std::size_t most_reference_pixels = 1 << 20;
-
 // Throws Unavailable if there is not enough memory for the three pictures with all layers that verification uses, and
 // the one with bytes alone that timing uses.
 void check_memory(const Scene& scene)
@@ -66,28 +64,14 @@ std::optional<TimedCase> prepared(Case& one, const Draw& draw)
 
 }  // namespace
 
-ExpectedPictures::Source ExpectedPictures::source_for(const Case& one) const
+ExpectedBy ExpectedPictures::source_for(const Case& one) const
 {
-    const auto pixels = static_cast<std::size_t>(one.scene.width) * static_cast<std::size_t>(one.scene.height);
-    const Backend* reference = registry_.find(Role::reference);
-    const bool by_reference = reference != nullptr && reference->draws(one.scene) && pixels <= most_reference_pixels;
-    if (one.options.mode == Mode::fast && by_reference) {
-        return {reference, {.mode = Mode::fast}, fmt::format("{}, double, fast", reference->name())};
-    }
-    // Rays of an expected picture begin by themselves, so that errors of cones and neighbours are found.
-    const Techniques unaided{.cones = false, .neighbours = false};
-    const Precision precision = one.options.mode == Mode::fast ? Precision::f64 : one.options.precision;
-    const Backend& host = registry_.with(Role::host);
-    return {&host,
-            {.precision = precision, .mode = one.options.mode, .simd_width = 1, .techniques = unaided},
-            fmt::format("{} --simd-width 1{}, {}, {}", host.name(),
-                        one.options.mode == Mode::fast ? " --without cones,neighbours" : "", name_of(precision),
-                        name_of(one.options.mode))};
+    return expected_by(registry_, one.scene, one.options.precision, one.options.mode);
 }
 
 bool ExpectedPictures::renders_expected(const Case& one) const
 {
-    const Source source = source_for(one);
+    const ExpectedBy source = source_for(one);
     return one.backend == source.backend && one.options.mode == Mode::fast &&
            one.options.precision == source.options.precision && one.options.simd_width == source.options.simd_width &&
            source.backend->info().role == Role::reference;
@@ -95,8 +79,8 @@ bool ExpectedPictures::renders_expected(const Case& one) const
 
 bool ExpectedPictures::same(const Case& a, const Case& b) const
 {
-    const Source one = source_for(a);
-    const Source other = source_for(b);
+    const ExpectedBy one = source_for(a);
+    const ExpectedBy other = source_for(b);
     return a.scene == b.scene && one.backend == other.backend && one.options.precision == other.options.precision &&
            one.options.mode == other.options.mode;
 }
@@ -117,7 +101,7 @@ const ExpectedPicture& ExpectedPictures::for_case(const Case& one)
 {
     ExpectedPicture& kept = one.options.mode == Mode::exact ? exact_ : fast_;
     if (kept.of && same(*kept.of, one)) return kept;
-    const Source source = source_for(one);
+    const ExpectedBy source = source_for(one);
     if (source.backend->unavailable()) {
         throw Unavailable(fmt::format("nothing to compare with: backend {} is unavailable", source.backend->name()));
     }

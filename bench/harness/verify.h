@@ -10,6 +10,7 @@
 #include "bench/harness/runner.h"
 #include "core/image/image.h"
 #include "core/render/agreement.h"
+#include "core/render/expected.h"
 
 namespace mandelmarch::bench {
 
@@ -22,12 +23,6 @@ struct ExpectedPicture {
 };
 
 // Renders the expected pictures. Keeps the last one for exact mode and the last one for fast mode.
-//   - In exact mode, the expected picture is that of the scalar kernel on the host (--simd-width 1), in the same
-//     precision. The bits must be the same. Only pictures of the reference may differ: visibly in at most 2 % of the
-//     pixels.
-//   - In fast mode, the expected picture is the reference's canonical picture in double. If the reference would take
-//     minutes (more than a million pixels) or does not support the scene, it is the scalar kernel's fast picture in
-//     double, without cones and neighbours. At most 2 % of the pixels may differ visibly.
 class ExpectedPictures {
 public:
     explicit ExpectedPictures(const Registry& registry) : registry_(registry) {}
@@ -48,13 +43,7 @@ public:
     std::vector<Case*> grouped(std::vector<Case>& cases) const;
 
 private:
-    // Backend and options that render the expected picture.
-    struct Source {
-        const Backend* backend;
-        RendererOptions options;
-        std::string name;
-    };
-    Source source_for(const Case& one) const;
+    ExpectedBy source_for(const Case& one) const;
 
     const Registry& registry_;
     ExpectedPicture exact_, fast_;

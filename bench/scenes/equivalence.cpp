@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 
-#include "bench/machine/environment.h"
 #include "core/base/error.h"
-#include "core/image/compare.h"
+#include "core/render/agreement.h"
+#include "core/render/expected.h"
 #include "core/scene/extreme_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
@@ -35,18 +36,20 @@ Drawn drawn(Renderer& renderer, const Scene& scene)
     return result;
 }
 
-// Returns a description of the difference in picture or work; empty if there is none.
-std::string difference(const Drawn& expected, const Drawn& got)
+// Returns a description of the difference in picture or, in exact mode, in work; empty if the picture agrees.
+std::string difference(const Drawn& expected, const Drawn& got, const RendererOptions& options)
 {
-    const Comparison c = compare(expected.image, got.image);
-    if (!c.same()) {
-        return fmt::format("{} of {} pixels have other colours, {} another depth; {}", c.differing_colours, c.pixels,
-                           c.differing_depths, describe_pixel(expected.image, got.image, c.first));
+    const Agreement found = agreement(expected.image, got.image, options.precision);
+    if (found.level > level_required(options.mode)) {
+        const Comparison& c = found.comparison;
+        return fmt::format("{} of {} pixels have other colours, {} another depth, {}; {}", c.differing_colours,
+                           c.pixels, c.differing_depths, summary(found),
+                           describe_pixel(expected.image, got.image, c.first));
     }
     const auto counts = [](const Work& w) { return fmt::format("{}/{}/{}", w.steps, w.de_calls, w.iterations); };
     const std::string right = counts(expected.work);
     const std::string work = counts(got.work);
-    if (work == right) return {};
+    if (work == right || options.mode == Mode::fast) return {};
     return fmt::format("the same picture, but other work counts: {} steps/estimates/iterations, expected {}", work,
                        right);
 }
@@ -58,14 +61,21 @@ public:
     TestedBackend(const Backend& backend, Tested& subject) : backend_(backend), subject_(subject) {}
 
     // Renders the scene. Returns a description of the difference from the expected picture, or of the error; empty if
-    // the picture is correct or the scene is not supported.
-    std::string draw(const Scene& scene, const Drawn& expected)
+    // the picture is correct or the scene is not supported. `wrong`: the first wrong picture of this scene and
+    // precision, and the backend that rendered it.
+    std::string draw(const Scene& scene, const Drawn& expected, std::optional<std::pair<std::string, Image>>& wrong)
     {
         try {
             if (renderer_ == nullptr) renderer_ = backend_.create(subject_.options);
-            std::string different = difference(expected, drawn(*renderer_, scene));
+            Drawn got = drawn(*renderer_, scene);
+            std::string different = difference(expected, got, subject_.options);
             ++subject_.pictures;
-            subject_.wrong += different.empty() ? 0 : 1;
+            if (different.empty()) return different;
+            ++subject_.wrong;
+            if (wrong && wrong->first != subject_.backend && compare(wrong->second, got.image).same()) {
+                different += fmt::format("; {} has the same picture: suspect the expected one", wrong->first);
+            }
+            if (!wrong) wrong.emplace(subject_.backend, std::move(got.image));
             return different;
         } catch (const Unavailable& why) {
             if (subject_.unavailable++ == 0) subject_.refusal = why.what();
@@ -103,7 +113,7 @@ std::vector<int> pack_widths(const Backend& backend, const Scene& scene, Precisi
     return widths;
 }
 
-std::vector<Tested> subjects_of(const Registry& registry, const EquivalenceOptions& options, const Backend& right,
+std::vector<Tested> subjects_of(const Registry& registry, const EquivalenceOptions& options, const Backend& host,
                                 const Scene& any, EquivalenceResult& result)
 {
     std::vector<Tested> subjects;
@@ -122,11 +132,14 @@ std::vector<Tested> subjects_of(const Registry& registry, const EquivalenceOptio
             for (const Precision precision : precisions) {
                 const auto add = [&](int simd_width) {
                     subjects.push_back({.backend = std::string(backend->name()),
-                                        .options = {.device = device, .precision = precision, .simd_width = simd_width},
+                                        .options = {.device = device,
+                                                    .precision = precision,
+                                                    .mode = options.mode,
+                                                    .simd_width = simd_width},
                                         .device = devices[static_cast<std::size_t>(device)].name});
                 };
                 add(0);
-                if (backend.get() != &right) continue;
+                if (backend.get() != &host) continue;
                 for (const int simd_width : pack_widths(*backend, any, precision)) add(simd_width);
             }
         }
@@ -177,45 +190,42 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
     if (of.empty()) {
         for (const Fractal& fractal : fractals()) of.push_back(&fractal);
     }
-    const Backend& right = registry.with(Role::host);
-    EquivalenceResult result{.options = options,
-                             .expected_by = std::string(right.name()),
-                             .environment = environment(registry),
-                             .subjects = {},
-                             .missing = {},
-                             .failures = {},
-                             .discrepancies = {}};
+    const Backend& host = registry.with(Role::host);
+    EquivalenceResult result{
+        .options = options, .environment = {}, .subjects = {}, .missing = {}, .failures = {}, .discrepancies = {}};
     Scene any = extreme_scene(*of.front(), options.seed, 0);
     any.width = any.height = 1;
-    result.subjects = subjects_of(registry, options, right, any, result);
+    result.subjects = subjects_of(registry, options, host, any, result);
     if (result.subjects.empty() && !result.failures.empty()) throw Error(result.failures.front());
     if (result.subjects.empty() && !result.missing.empty()) throw Unavailable("backend " + result.missing.front());
     std::vector<TestedBackend> contestants;
     for (Tested& subject : result.subjects) contestants.emplace_back(*registry.find(subject.backend), subject);
+    const auto compare_scene = [&](const std::string& name, const Scene& scene) {
+        for (const Precision precision : precisions) {
+            const ExpectedBy by = expected_by(registry, scene, precision, options.mode);
+            const Drawn expected = drawn(*by.backend->create(by.options), scene);
+            std::optional<std::pair<std::string, Image>> wrong;
+            for (TestedBackend& contestant : contestants) {
+                if (contestant.subject().options.precision != precision) continue;
+                const std::string what = contestant.draw(scene, expected, wrong);
+                if (what.empty()) continue;
+                result.discrepancies.push_back({name, to_parameters(scene), contestant.subject().name(), what});
+                found(result.discrepancies.back());
+            }
+        }
+    };
+    for (const auto& [name, scene] : options.others) compare_scene(name, scene);
+    if (!options.others.empty()) return result;
     std::vector<std::unique_ptr<Renderer>> packs;
-    std::vector<std::unique_ptr<Renderer>> scalar;
-    for (const Precision precision : precisions) {
-        packs.push_back(right.create({.precision = precision}));
-        scalar.push_back(right.create({.precision = precision, .simd_width = 1}));
-    }
+    for (const Precision precision : precisions) packs.push_back(host.create({.precision = precision}));
     // All scenes of a fractal are rendered before those of the next one, because devices compile a kernel per fractal.
     int done = 0;
     for (std::size_t i = 0; i < of.size(); ++i) {
         const auto count = static_cast<int>(of.size());
         const int scenes = options.scenes / count + (static_cast<int>(i) < options.scenes % count ? 1 : 0);
         for (int number = 0; number < scenes; ++number) {
-            const Scene scene = affordable(packs, extreme_scene(*of[i], options.seed, number));
-            for (std::size_t p = 0; p < std::size(precisions); ++p) {
-                const Drawn expected = drawn(*scalar[p], scene);
-                for (TestedBackend& contestant : contestants) {
-                    if (contestant.subject().options.precision != precisions[p]) continue;
-                    const std::string what = contestant.draw(scene, expected);
-                    if (what.empty()) continue;
-                    result.discrepancies.push_back({fmt::format("{}-{}-{}", of[i]->short_name, options.seed, number),
-                                                    to_parameters(scene), contestant.subject().name(), what});
-                    found(result.discrepancies.back());
-                }
-            }
+            compare_scene(fmt::format("{}-{}-{}", of[i]->short_name, options.seed, number),
+                          affordable(packs, extreme_scene(*of[i], options.seed, number)));
             progress(static_cast<double>(++done) / options.scenes);
         }
     }
@@ -224,10 +234,8 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
 
 std::string to_console(const EquivalenceResult& result)
 {
-    std::string text = fmt::format("Exact pictures of {} random scenes, seed {}, against {} --simd-width 1\n",
-                                   result.options.scenes, result.options.seed, result.expected_by);
-    text += fmt::format("{:<8} {:>3} {:<32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device",
-                        "precision", "SIMD", "pictures", "unavailable", "wrong");
+    std::string text = fmt::format("{:<8} {:>3} {:<32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device",
+                                   "precision", "SIMD", "pictures", "unavailable", "wrong");
     for (const Tested& s : result.subjects) {
         text += fmt::format("{:<8} {:>3} {:<32.32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", s.backend, s.options.device,
                             s.device, name_of(s.options.precision),

@@ -9,10 +9,9 @@
 #include <random>
 #include <tuple>
 
-#include "bench/base/table.h"
-#include "bench/machine/environment.h"
 #include "core/base/error.h"
 #include "core/render/agreement.h"
+#include "core/render/expected.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/scene/random_scene.h"
@@ -49,17 +48,12 @@ std::vector<DrawnScene> scenes_of(const RandomOptions& options)
     return scenes;
 }
 
-// Creates the renderer of canonical pictures: the reference, or the scalar kernel without the optimisations of the
-// march.
+// Creates the renderer of canonical pictures, on one thread.
 std::unique_ptr<Renderer> canonical_renderer(const Registry& registry, const Scene& scene)
 {
-    const Backend& reference = registry.with(Role::reference);
-    if (reference.draws(scene)) return reference.create({.mode = Mode::fast});
-    return registry.with(Role::host)
-        .create({.mode = Mode::fast,
-                 .threads = 1,
-                 .simd_width = 1,
-                 .techniques = techniques_without("hull,relaxation,cones,neighbours,trial,tail")});
+    ExpectedBy by = expected_by(registry, scene, Precision::f64, Mode::fast);
+    by.options.threads = 1;
+    return by.backend->create(by.options);
 }
 
 // Renders the canonical pictures: as many scenes at the same time as there are cores, each on one thread.
@@ -188,7 +182,7 @@ RandomResult measure_random(const Registry& registry, const RandomOptions& optio
                         .without = options.without,
                         .width = picture_width,
                         .height = picture_height,
-                        .environment = environment(registry),
+                        .environment = {},
                         .rows = {},
                         .sums = {}};
     std::vector<DrawnScene> scenes = scenes_of(options);

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/study/options.h"
 #include "core/render/registry.h"
 #include "core/scene/scene.h"
 
@@ -16,7 +15,7 @@ namespace mandelmarch::bench {
 
 struct RandomOptions {
     std::string backend = {};  // name; empty: the host's backend
-    std::vector<const Fractal*> fractals = default_fractals();
+    std::vector<const Fractal*> fractals{};
     int scenes = 60;                                                 // per fractal and set
     std::vector<unsigned> sets{1001, 2002, 3003, 4004, 5005, 6006};  // seeds
     std::string without{};                                           // disabled optimisations, separated by commas
@@ -70,7 +69,7 @@ inline constexpr double most_wrong_hits = 0.0002;  // fraction of the pixels tha
 struct RandomResult {
     std::string backend, without;
     int width = 0, height = 0;  // pixels of each picture
-    nlohmann::ordered_json environment;
+    nlohmann::ordered_json environment;  // set by the caller
     std::vector<RandomRow> rows;  // ordered by precision, fractal, set
 
     std::vector<RandomSums> sums;  // set by summed()
@@ -80,10 +79,10 @@ struct RandomResult {
 // Sets the sums, in the order of the fractals.
 RandomResult summed(RandomResult result);
 
-// Renders each scene of every set at 61 x 45 pixels: the canonical picture, and the backend's picture in fast mode in
-// both precisions. The backend `reference` renders the canonical picture; if it does not support the scene, openmp's
-// scalar kernel does, without the optimisations of the march. Calls `progress` with the completed fraction of the
-// canonical pictures. Throws InputError if options.backend is unknown, and Unavailable if it has no device.
+// Renders each scene of every set at 61 x 45 pixels: the expected picture of fast mode (core/render/expected.h), which
+// is the canonical one, and the backend's picture in fast mode in both precisions. Calls `progress` with the completed
+// fraction of the canonical pictures. Throws InputError if options.backend is unknown, and Unavailable if it has no
+// device.
 RandomResult measure_random(const Registry& registry, const RandomOptions& options,
                             const std::function<void(double)>& progress);
 

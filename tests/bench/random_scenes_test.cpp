@@ -10,6 +10,7 @@
 
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
+#include "bench/study/views.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
@@ -33,7 +34,8 @@ void no_progress(double) {}
 
 TEST(Random, ComparesTheScenesThatTestsDraw)
 {
-    const RandomResult result = measure_random(registry(), {.scenes = 3, .sets = {1001, 77}}, no_progress);
+    const RandomResult result =
+        measure_random(registry(), {.fractals = default_fractals(), .scenes = 3, .sets = {1001, 77}}, no_progress);
     ASSERT_EQ(result.rows.size(), 2U * 2 * 2 * 3);
     for (const RandomRow& row : result.rows) {
         // The list contains three scenes of each fractal; the second fractal's follow those of the first.
@@ -59,7 +61,7 @@ TEST(Random, ComparesTheScenesThatTestsDraw)
 
 TEST(Random, HoldsSetsToTheirShares)
 {
-    const RandomOptions options{.scenes = 12, .sets = {1001}};
+    const RandomOptions options{.fractals = default_fractals(), .scenes = 12, .sets = {1001}};
     EXPECT_TRUE(measure_random(registry(), options, no_progress).passed());
     RandomOptions plain = options;
     plain.backend = "plain";

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real backends pass the equivalence checks. Backends with a defect must fail them, on the tests' scenes and on random
-// scenes. The same backends pass if they have no defect.
+// Backends with a defect must fail the check of equivalence. The same backends pass if they have no defect.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
-#include "backends/all.h"
 #include "backends/openmp/openmp.h"
+#include "backends/reference/reference.h"
 #include "bench/scenes/equivalence.h"
 #include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "tests/equivalence/broken_kernels.h"
-#include "tests/equivalence/equivalence.h"
+#include "tests/scenes.h"
 
 namespace mandelmarch {
 namespace {
@@ -77,7 +77,7 @@ private:
 
 class BrokenBackend : public Backend {
 public:
-    explicit BrokenBackend(Defect defect, std::string_view name = "broken") : defect_(defect), name_(name) {}
+    BrokenBackend(Defect defect, std::string_view name) : defect_(defect), name_(name) {}
     std::string_view name() const override { return name_; }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {Device{}}; }
@@ -91,70 +91,29 @@ private:
     std::string_view name_;
 };
 
-class Broken : public testing::TestWithParam<Precision> {
-protected:
-    const Registry registry = all_backends();
-
-    bool passes(Defect defect, Mode mode)
-    {
-        Expected expected(registry);
-        std::vector<NamedScene> scenes;
-        scenes.push_back({"near", official_scene("box", 90, 60)});
-        scenes.push_back({"far", official_scene("box", 90, 60)});
-        scenes.back().scene.eye = {9, 8, 11};
-        const auto row = check(BrokenBackend(defect), {.precision = GetParam(), .mode = mode}, "box", scenes, expected);
-        return row.passed();
-    }
-};
-
-TEST_P(Broken, WithoutADefectItPasses)
+// Returns what is found when a backend with each defect, "first", "second", is compared with openmp or the reference.
+bench::EquivalenceResult found_in(const std::vector<Defect>& defects, Mode mode, const std::vector<NamedScene>& scenes)
 {
-    EXPECT_TRUE(passes(Defect::none, Mode::exact));
-    EXPECT_TRUE(passes(Defect::none, Mode::fast));
-}
-
-TEST_P(Broken, WithADefectItFails)
-{
-    for (const Defect defect : {Defect::wrong_fold, Defect::not_a_number, Defect::last_picture, Defect::upside_down}) {
-        EXPECT_FALSE(passes(defect, Mode::exact)) << static_cast<int>(defect);
-        EXPECT_FALSE(passes(defect, Mode::fast)) << static_cast<int>(defect);
-    }
-    if (__builtin_cpu_supports("fma")) {
-        EXPECT_FALSE(passes(Defect::contraction, Mode::exact));
-    }
-}
-
-// If two backends have the same picture, the expected one, which openmp renders, is suspect. Negative control: with two
-// different defects it is not.
-TEST_P(Broken, ThatAgreeMakeTheExpectedPictureSuspect)
-{
-    const std::vector<NamedScene> scenes{{"near", official_scene("box", 90, 60)}};
-    const auto second = [&](Defect a, Defect b) {
-        Expected expected(registry);
-        const RendererOptions options{.precision = GetParam()};
-        check(BrokenBackend(a, "first"), options, "box", scenes, expected);
-        return check(BrokenBackend(b, "second"), options, "box", scenes, expected).first;
-    };
-    EXPECT_TRUE(second(Defect::wrong_fold, Defect::wrong_fold).ends_with("suspect openmp's scalar kernel"));
-    const std::string different = second(Defect::wrong_fold, Defect::upside_down);
-    EXPECT_EQ(different.find("suspect"), std::string::npos);
-    EXPECT_NE(different.find("bin/render --fractal box"), std::string::npos);
-    EXPECT_TRUE(different.ends_with("--trace")) << different;
-}
-
-// Returns true if a backend with this defect passes the random scenes of `bench equivalence`.
-bool passes_random_scenes(Defect defect)
-{
+    static constexpr std::string_view names[] = {"first", "second"};
     std::vector<std::unique_ptr<Backend>> backends;
+    backends.push_back(make_reference_backend());
     backends.push_back(make_openmp_backend());
-    backends.push_back(std::make_unique<BrokenBackend>(defect));
-    const bench::EquivalenceOptions options{
-        .backends = {"broken"}, .fractals = {&fractal_named("box")}, .scenes = 10, .seed = 20};
-    const auto result = bench::compare_backends(
-        Registry(std::move(backends)), options, [](const bench::Discrepancy&) {}, [](double) {});
+    bench::EquivalenceOptions options{
+        .fractals = {&fractal_named("box")}, .scenes = 10, .seed = 20, .mode = mode, .others = scenes};
+    for (std::size_t i = 0; i < defects.size(); ++i) {
+        backends.push_back(std::make_unique<BrokenBackend>(defects[i], names[i]));
+        options.backends.emplace_back(names[i]);
+    }
+    return bench::compare_backends(Registry(std::move(backends)), options);
+}
+
+// Returns true if a backend with this defect passes in both precisions, and false if it fails in both.
+bool passes(Defect defect, Mode mode, const std::vector<NamedScene>& scenes = {})
+{
+    const bench::EquivalenceResult result = found_in({defect}, mode, scenes);
     EXPECT_EQ(result.subjects.size(), 2U);
     for (const bench::Tested& subject : result.subjects) {
-        EXPECT_EQ(subject.pictures, defect == Defect::error ? 0 : 10);
+        EXPECT_EQ(subject.pictures, defect == Defect::error ? 0 : scenes.empty() ? 10 : std::ssize(scenes));
         EXPECT_EQ(subject.wrong > 0, !result.discrepancies.empty()) << subject.name();
     }
     return result.discrepancies.empty();
@@ -162,18 +121,39 @@ bool passes_random_scenes(Defect defect)
 
 TEST(RandomScenes, FindEveryDefect)
 {
-    EXPECT_TRUE(passes_random_scenes(Defect::none));
+    EXPECT_TRUE(passes(Defect::none, Mode::exact));
     for (const Defect defect : {Defect::wrong_fold, Defect::not_a_number, Defect::last_picture, Defect::upside_down,
                                 Defect::other_work, Defect::error}) {
-        EXPECT_FALSE(passes_random_scenes(defect)) << static_cast<int>(defect);
+        EXPECT_FALSE(passes(defect, Mode::exact)) << static_cast<int>(defect);
     }
     if (__builtin_cpu_supports("fma")) {
-        EXPECT_FALSE(passes_random_scenes(Defect::contraction));
+        EXPECT_FALSE(passes(Defect::contraction, Mode::exact));
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Precisions, Broken, testing::Values(Precision::f64, Precision::f32),
-                         [](const auto& test) { return std::string(name_of(test.param)); });
+TEST(Broken, FastPicturesAreFound)
+{
+    std::vector<NamedScene> scenes(2, {"near", official_scene("box", 90, 60)});
+    scenes.back().scene.eye = {9, 8, 11};
+    EXPECT_TRUE(passes(Defect::none, Mode::fast, scenes));
+    for (const Defect defect : {Defect::wrong_fold, Defect::not_a_number, Defect::last_picture, Defect::upside_down}) {
+        EXPECT_FALSE(passes(defect, Mode::fast, scenes)) << static_cast<int>(defect);
+    }
+}
+
+// Negative control: two backends with different defects do not agree.
+TEST(Broken, ThatAgreeMakeTheExpectedPictureSuspect)
+{
+    const auto suspected = [](Defect a, Defect b) {
+        const auto all = found_in({a, b}, Mode::exact, {{"near", official_scene("box", 90, 60)}}).discrepancies;
+        EXPECT_EQ(all.size(), 4U);
+        return std::ranges::count_if(all, [](const bench::Discrepancy& one) {
+            return one.what.ends_with("; first has the same picture: suspect the expected one");
+        });
+    };
+    EXPECT_EQ(suspected(Defect::wrong_fold, Defect::wrong_fold), 2);  // in both precisions
+    EXPECT_EQ(suspected(Defect::wrong_fold, Defect::upside_down), 0);
+}
 
 }  // namespace
 }  // namespace mandelmarch

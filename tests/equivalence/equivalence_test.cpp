@@ -8,9 +8,13 @@
 #include <sstream>
 
 #include "backends/all.h"
+#include "backends/openmp/openmp.h"
+#include "backends/reference/reference.h"
+#include "bench/scenes/equivalence.h"
 #include "core/base/error.h"
+#include "core/render/expected.h"
 #include "core/scene/fractal.h"
-#include "tests/equivalence/equivalence.h"
+#include "tests/scenes.h"
 
 namespace mandelmarch {
 
@@ -56,58 +60,47 @@ TEST(Equivalence, EveryBackendOfThisBuildHasADevice)
     EXPECT_GE(count, 2);
 }
 
-class EveryBackend {
-public:
-    EveryBackend() { fmt::print("{}\n", equivalence_header()); }
-
-    // Checks all devices, fractals, precisions and modes of one backend.
-    void check_all(const Backend& backend)
-    {
-        for (int device = 0; device < static_cast<int>(backend.devices().size()); ++device) {
-            for (const Mode mode : {Mode::exact, Mode::fast}) {
-                for (const Precision precision : {Precision::f32, Precision::f64}) {
-                    for (const Fractal& fractal : fractals()) {
-                        check_row(backend, {.device = device, .precision = precision, .mode = mode}, fractal);
-                    }
-                }
-            }
-        }
-    }
-
-    Registry registry = all_backends();
-
-private:
-    void check_row(const Backend& backend, const RendererOptions& options, const Fractal& fractal)
-    {
-        try {
-            const EquivalenceRow row = check(backend, options, std::string(fractal.short_name),
-                                             options.mode == Mode::exact ? exact_ : fast_, expected_);
-            fmt::print("{}\n", to_text(row));
-            EXPECT_TRUE(row.passed()) << to_text(row);
-            EXPECT_GT(row.scenes, 0);
-        } catch (const Unavailable& error) {
+// Checks all devices and precisions of the backends, all if no names are given, in both modes.
+void check_all(const Registry& registry, const std::vector<std::string>& names)
+{
+    for (const Mode mode : {Mode::exact, Mode::fast}) {
+        const std::vector<NamedScene> scenes = mode == Mode::exact ? exact_scenes() : fast_scenes();
+        const auto result = bench::compare_backends(
+            registry, {.backends = names, .mode = mode, .others = scenes}, [](const bench::Discrepancy& d) {
+                ADD_FAILURE() << d.scene << ": " << d.subject << ": " << d.what << "\n" << d.parameters;
+            });
+        fmt::print("{}\n{}", name_of(mode), to_console(result));
+        EXPECT_TRUE(result.failures.empty());
+        for (const bench::Tested& tested : result.subjects) {
             // Some devices lack a feature, for example double. A backend without any device fails the test
             // EveryBackendOfThisBuildHasADevice.
-            fmt::print("{:<10} {:<9} unavailable: {}\n", fractal.short_name, backend.name(), error.what());
+            EXPECT_EQ(tested.pictures + tested.unavailable, std::ssize(scenes)) << tested.name();
         }
     }
-
-    Expected expected_{registry};
-    std::vector<NamedScene> exact_ = exact_scenes();
-    std::vector<NamedScene> fast_ = fast_scenes();
-};
+}
 
 TEST(Equivalence, EveryBackendDrawsTheSamePicture)
 {
-    EveryBackend every;
-    for (const auto& backend : every.registry.backends()) {
-        if (const auto why = backend->unavailable()) {
-            fmt::print("{:<10} {:<9} unavailable: {}\n", "all", backend->name(), *why);
-        } else if (backend->name() != "reference") {
-            every.check_all(*backend);
-        }
+    check_all(all_backends(), {});
+    std::vector<std::unique_ptr<Backend>> backends;
+    backends.push_back(make_reference_backend());
+    backends.push_back(make_openmp_backend());
+    backends.push_back(make_skeleton_backend());
+    check_all(Registry(std::move(backends)), {"skeleton"});
+}
+
+// Julia is such a fractal. Negative control: the reference draws the Mandelbox, with all techniques.
+TEST(Equivalence, PicturesThatTheReferenceCannotDrawAreExpectedWithoutCones)
+{
+    const Registry registry = all_backends();
+    for (const Fractal& fractal : fractals()) {
+        const Scene scene = official_scene(fractal, 16, 16);
+        const ExpectedBy by = expected_by(registry, scene, Precision::f32, Mode::fast);
+        const bool drawn = registry.with(Role::reference).draws(scene);
+        EXPECT_EQ(by.backend->info().role, drawn ? Role::reference : Role::host) << fractal.name;
+        EXPECT_EQ(by.options.techniques.cones, drawn) << fractal.name;
+        EXPECT_EQ(by.options.techniques.neighbours, drawn) << fractal.name;
     }
-    every.check_all(*make_skeleton_backend());
 }
 
 // Returns the work of a fast picture in float. A trial precedes the picture, so that the device's buffers are not new.

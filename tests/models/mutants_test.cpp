@@ -6,33 +6,43 @@
 #include <sstream>
 
 #include "backends/all.h"
-#include "core/base/error.h"
-#include "tests/equivalence/equivalence.h"
+#include "bench/scenes/equivalence.h"
+#include "tests/scenes.h"
 
 namespace mandelmarch {
 namespace {
 
-class Mutants : public testing::TestWithParam<std::tuple<std::string, Precision>> {
+class Mutants : public testing::TestWithParam<std::string> {
 protected:
     const Registry registry = all_backends();
-    const Backend& mutant = *registry.find(std::get<0>(GetParam()));
 
     void SetUp() override
     {
-        if (const auto why = mutant.unavailable()) GTEST_SKIP() << *why;
+        if (const auto why = registry.find(GetParam())->unavailable()) GTEST_SKIP() << *why;
     }
 
-    bool passes(const std::string& fractal)
+    // Renders one scene in both precisions.
+    std::vector<bench::Tested> tested(const std::string& fractal)
     {
-        Expected expected(registry);
         const std::vector<NamedScene> scenes{{"official", official_scene(fractal, 90, 60)}};
-        return check(mutant, {.precision = std::get<1>(GetParam())}, fractal, scenes, expected).passed();
+        return bench::compare_backends(registry, {.backends = {GetParam()}, .others = scenes}).subjects;
     }
 };
 
-TEST_P(Mutants, AWrongFoldFails) { EXPECT_FALSE(passes("box")); }
+TEST_P(Mutants, AWrongFoldFails)
+{
+    for (const bench::Tested& one : tested("box")) EXPECT_EQ(one.wrong, one.pictures) << one.name();
+}
 
-TEST_P(Mutants, WithoutADefectTheyPass) { EXPECT_TRUE(passes("bulb")); }
+TEST_P(Mutants, WithoutADefectTheyPass)
+{
+    int pictures = 0;
+    for (const bench::Tested& one : tested("bulb")) {
+        EXPECT_EQ(one.wrong, 0) << one.name();
+        pictures += one.pictures;
+    }
+    EXPECT_GT(pictures, 0);
+}
 
 std::vector<std::string> names()
 {
@@ -40,11 +50,7 @@ std::vector<std::string> names()
     return {std::istream_iterator<std::string>(list), {}};
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Mutants,
-                         testing::Combine(testing::ValuesIn(names()), testing::Values(Precision::f64, Precision::f32)),
-                         [](const auto& test) {
-                             return std::get<0>(test.param) + "_" + std::string(name_of(std::get<1>(test.param)));
-                         });
+INSTANTIATE_TEST_SUITE_P(All, Mutants, testing::ValuesIn(names()), [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace mandelmarch
