@@ -17,7 +17,7 @@ FN int thread_index()
 }
 
 FN void hide(int& value) { asm volatile("" : "+v"(value)); }
-// The pointer has the same value in all threads, and remains in scalar registers.
+// Keeps the pointer in scalar registers, as it has the same value in all threads.
 template <class T>
 FN void hide(T*& value)
 {

@@ -12,10 +12,10 @@ namespace mandelmarch::job {
 // layout of planes_of() in core/image/image.h. Scene is the kernel's type.
 template <class Scene, class Real>
 struct KernelArguments {
-    // Number of pixels that threads have taken, with refill. The only member that kernels change, and the first one,
-    // because cmake/nvptx_as.in uses the job's address for it.
+    // Number of pixels that threads have taken, with refill. No other member is changed by kernels. It must be the
+    // first one: cmake/nvptx_as.in uses the job's address for it.
     mutable int taken;
-    alignas(64) Scene scene;  // apart, so that these changes do not delay reading it
+    alignas(64) Scene scene;  // in another cache line than `taken`, whose changes would delay reading it
     Real* reals;
     int* wholes;
     unsigned char* bytes;  // three per pixel; nullptr: the planes are needed, not the bytes

@@ -49,7 +49,7 @@ inline constexpr std::array look_entries{
     LookEntry{"haze", look_ranges::one_share},  // share of the haze in the colour of the farthest surfaces
     LookEntry{"exposure", look_ranges::exposure},
     LookEntry{"sun_height", look_ranges::height},      // degrees above the horizon
-    LookEntry{"sun_follows", look_ranges::one_share},  // over 0: the sun of a film turns with the way
+    LookEntry{"sun_follows", look_ranges::one_share},  // over 0: in films, the sun turns with the camera
 };
 
 // Returns the place of an entry's first number. For a name that is no entry, returns the count of all numbers.

@@ -68,7 +68,7 @@ Vector steady_sun(const Path& path, double height)
     return best;
 }
 
-constexpr double window = 20;      // seconds before and after a frame whose gazes turn the sun
+constexpr double window = 20;      // seconds; gazes of frames at most this far away turn the sun of a frame
 constexpr double beside_it = 110;  // degrees from the mean gaze to the sun, to the right
 
 // Returns the direction of a sun that turns with the way: it is beside the mean gaze of the frames near `frame`, a

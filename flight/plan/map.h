@@ -10,9 +10,9 @@
 
 namespace mandelmarch {
 
-// Returns JSON with the bounds of the first frame's shape, the balls and gates on and near the path, for each passage
-// the number of its narrowest frame, and three measurements of each frame: position, clearance (the distance estimate)
-// and turn since the previous frame in degrees. `threads`: 0 for as many as the process may use.
+// Returns JSON with the bounds of the first frame's shape, and with the balls and gates near the path. A passage is
+// given by the number of its narrowest frame. Each frame has its position, its clearance (the distance estimate), and
+// its turn since the previous frame in degrees. `threads`: 0 for as many as the process may use.
 std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::vector<Ball>& gates, int threads);
 
 }  // namespace mandelmarch

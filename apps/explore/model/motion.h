@@ -13,8 +13,8 @@ namespace mandelmarch::explore {
 struct MotionInput {
     Vector way;        // velocities to the right, up and forward, as fractions of the speed
     Vector turn;       // rates of turning to the right, turning up and rolling, as fractions of the largest rate
-    double yaw = 0;    // radians; immediate turn to the right by dragging the mouse
-    double pitch = 0;  // radians; immediate turn upwards by dragging the mouse
+    double yaw = 0;    // radians by which the mouse has been dragged to the right since the last frame
+    double pitch = 0;  // radians by which the mouse has been dragged upwards since then
     bool any() const
     {
         return way.x != 0 || way.y != 0 || way.z != 0 || turn.x != 0 || turn.y != 0 || turn.z != 0 || yaw != 0 ||
