@@ -43,4 +43,27 @@ std::string joined(const List& list, const char* between, const Name& name = {})
 // Truncates a line to `most` characters.
 std::string clipped(const std::string& line, std::size_t most);
 
+// A table for the console: a line of heads and a line for each row. A column is as wide as its widest cell;
+// one whose cells are all empty is left out.
+class Table {
+public:
+    // `heads`: the columns' titles, each after < or >, the side to which the column is aligned.
+    explicit Table(std::vector<std::string> heads) : heads_(std::move(heads)) {}
+
+    // Adds a row. If it has fewer cells than the table has columns, its last cell may be of any length.
+    template <class... Cells>
+    void add(const Cells&... cells)
+    {
+        rows_.push_back({fmt::format("{}", cells)...});
+    }
+    void add_cells(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+    // Returns the table, in lines of at most `most` characters; an empty text if it has no rows.
+    std::string text(std::size_t most = std::string::npos) const;
+
+private:
+    std::vector<std::string> heads_;
+    std::vector<std::vector<std::string>> rows_;
+};
+
 }  // namespace mandelmarch::bench

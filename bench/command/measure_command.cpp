@@ -10,6 +10,7 @@
 #include "bench/command/outputs.h"
 #include "bench/files/result_file.h"
 #include "bench/print/printers.h"
+#include "bench/base/table.h"
 #include "bench/harness/peaks.h"
 #include "bench/harness/runs.h"
 #include "bench/harness/session.h"
@@ -152,11 +153,11 @@ Run peak_command(CLI::App& app, Registry& registry)
             registry, *options, [&](const Step& step) { display.show(step); },
             [&](const Peak& peak) { return options->selects(peak.backend); });
         display.finish();
-        print("{:<44} {:<8} {:>3} {:<9} {:>9}\n", "platform", "backend", "dev", "precision", "GFLOP/s");
+        Table table({"<platform", "<backend", ">dev", "<precision", ">GFLOP/s"});
         for (const Peak& p : peaks) {
-            print("{:<44} {:<8} {:>3} {:<9} {:>9.1f}\n", p.platform, p.backend, p.device, name_of(p.precision),
-                  1e-9 * p.rate);
+            table.add(p.platform, p.backend, p.device, name_of(p.precision), fmt::format("{:.1f}", 1e-9 * p.rate));
         }
+        print("{}", table.text());
         return exit_success;
     };
 }

@@ -56,22 +56,21 @@ bool regression(const std::vector<Judged>& rows)
 
 std::string table_of(const std::vector<Judged>& rows, int decimals)
 {
-    std::string text = fmt::format("{:<48} {:>7} {:<18} {:>8} {:>7}  {}\n", "row", "new/old", "95 % interval",
-                                   "p, Holm", "units", "verdict");
+    Table table({"<row", ">new/old", "<95 % interval", ">p, Holm", ">units", "<verdict"});
     for (const Judged& row : rows) {
-        std::string line = fmt::format("{:<48} {}: {}", row.name, name_of(row.verdict), row.why);
-        if (row.why.empty()) {
-            const Difference& d = row.difference;
-            line = fmt::format("{:<48} {:>7.{}f} {:<18} {:>8.2g} {:>7}  {}", row.name, d.ratio, decimals,
-                               fmt::format("[{:.{}f}, {:.{}f}]", d.interval.low, decimals, d.interval.high, decimals),
-                               row.p,
-                               row.old_units == row.new_units ? fmt::format("{}", row.new_units)
-                                                              : fmt::format("{}, {}", row.old_units, row.new_units),
-                               name_of(row.verdict));
+        if (!row.why.empty()) {
+            table.add(printable(row.name), printable(fmt::format("{}: {}", name_of(row.verdict), row.why)));
+            continue;
         }
-        text += clipped(printable(line), console_columns) + "\n";
+        const Difference& d = row.difference;
+        table.add(printable(row.name), fmt::format("{:.{}f}", d.ratio, decimals),
+                  fmt::format("[{:.{}f}, {:.{}f}]", d.interval.low, decimals, d.interval.high, decimals),
+                  fmt::format("{:.2g}", row.p),
+                  row.old_units == row.new_units ? std::to_string(row.new_units)
+                                                 : fmt::format("{}, {}", row.old_units, row.new_units),
+                  name_of(row.verdict));
     }
-    return text;
+    return table.text(console_columns);
 }
 
 std::string summary_of(const std::vector<Judged>& rows, double within)

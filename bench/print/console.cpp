@@ -46,78 +46,65 @@ std::string short_application(const Result& result, const Row& row)
     return fmt::format("{}[{}]", row.application.substr(0, colon), place);
 }
 
-std::string head(const Result& result, const Row& row)
+// Returns the cells that name a row, and more cells.
+template <class... More>
+std::vector<std::string> cells_of(const Result& result, const Row& row, const More&... more)
 {
-    return fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", short_name(row.fractal), name_of(row.precision),
-                       name_of(row.mode), short_application(result, row), row.device);
+    if (row.device_name.empty()) return {"all", "all", "all", row.backend, "-", more...};
+    return {short_name(row.fractal),        std::string(name_of(row.precision)), std::string(name_of(row.mode)),
+            short_application(result, row), fmt::format("{}", row.device),       more...};
+}
+
+std::string why_not_timed(const Row& row)
+{
+    if (!row.unavailable.empty()) return "unavailable: " + row.unavailable;
+    return "FAILED: " + (row.failure.empty() ? "no sample" : row.failure);
 }
 
 // Returns the table of configurations. In a sweep it has a column with the sweep value instead of the share of peak and
 // the speed-up.
 std::string main_table(const Result& result, bool sweep)
 {
-    const auto line = [&](const std::string& start, const std::string& point, const std::string& rest,
-                          const std::string& end) {
-        const std::string whole = sweep ? fmt::format("{}{:<15} {}", start, point, rest) : start + rest + end;
-        return fmt::format("{}\n", clipped(whole, console_columns));
-    };
-    std::string text =
-        line(fmt::format("{:<5} {:<9} {:<5} {:<13} {:>3} ", "scene", "precision", "mode", "backend", "dev"), "point",
-             fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", "verification", "kernel", "95 % interval", "wall ms",
-                         "Mpixel/s", "GFLOP/s"),
-             fmt::format(" {:>6} {:>8}", "peak", "speed-up"));
+    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", "<point", "<verification", ">kernel",
+                 "<95 % interval", ">wall ms", ">Mpixel/s", ">GFLOP/s", ">peak", ">speed-up"});
     for (const Row& row : result.rows) {
-        if (row.device_name.empty()) {
-            text += line(fmt::format("{:<5} {:<9} {:<5} {:<13}   - ", "all", "all", "all", row.backend), "",
-                         row.failure.empty() ? fmt::format("unavailable: {}", row.unavailable)
-                                             : fmt::format("FAILED: {}", row.failure),
-                         "");
-        } else if (!row.unavailable.empty()) {
-            text += line(head(result, row), row.sweep_value, fmt::format("unavailable: {}", row.unavailable), "");
-        } else if (!row.timed()) {
-            const std::string_view why = row.failure.empty() ? std::string_view("no sample") : row.failure;
-            text += line(head(result, row), row.sweep_value, fmt::format("FAILED: {}", why), "");
-        } else {
-            const Figures& f = *row.figures;
-            text +=
-                line(head(result, row), row.sweep_value,
-                     fmt::format("{:<12} {:>7} {:<16} {:>7} {:>8} {:>8}", row.verification.text,
-                                 digits(1e3 * f.kernel.median), interval_text(f.kernel.interval, f.kernel.count, 1e3),
-                                 digits(1e3 * f.wall.median), digits(1e-6 * f.pixel_rate), of(f.operation_rate, 1e-9)),
-                     fmt::format(" {:>6} {:>8}", percent(f.share), of(ratio_of(f.speed_up), 1)));
+        const std::string point = sweep ? row.sweep_value : "";
+        if (!row.timed()) {
+            table.add_cells(cells_of(result, row, point, why_not_timed(row)));
+            continue;
         }
+        const Figures& f = *row.figures;
+        table.add_cells(cells_of(result, row, point, row.verification.text, digits(1e3 * f.kernel.median),
+                                 interval_text(f.kernel.interval, f.kernel.count, 1e3), digits(1e3 * f.wall.median),
+                                 digits(1e-6 * f.pixel_rate), of(f.operation_rate, 1e-9), sweep ? "" : percent(f.share),
+                                 sweep ? "" : of(ratio_of(f.speed_up), 1)));
     }
-    return text;
+    return table.text(console_columns);
 }
 
 // Returns a table with all columns, one line per configuration.
 std::string wide_table(const Result& result)
 {
-    constexpr const char* line =
-        "{:<46} {:<12} {:>7} {:>9} {:<20} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} "
-        "{:>8} {:>6} {:>8} {:>8} {:>4} {:>4} {}\n";
-    std::string text =
-        fmt::format(fmt::runtime(line), "row", "verification", "samples", "kernel ms", "95 % interval", "MAD ms",
-                    "wall ms", "context", "build", "upload", "host", "readback", "Mpixel/s", "Mcall/s", "Miter/s",
-                    "GFLOP", "GFLOP/s", "peak", "share", "bound ms", "speed-up", "thr", "SIMD", "set");
+    Table table({"<row",      "<verification", ">samples",  ">kernel ms", "<95 % interval", ">MAD ms",
+                 ">wall ms",  ">context",      ">build",    ">upload",    ">host",          ">readback",
+                 ">Mpixel/s", ">Mcall/s",      ">Miter/s",  ">GFLOP",     ">GFLOP/s",       ">peak",
+                 ">share",    ">bound ms",     ">speed-up", ">thr",       ">SIMD",          "<set"});
     for (const Row& row : result.rows) {
         if (!row.timed()) {
-            text += fmt::format("{:<46} {}\n", row.name(),
-                                row.unavailable.empty() ? fmt::format("FAILED: {}", row.failure)
-                                                        : fmt::format("unavailable: {}", row.unavailable));
+            table.add(row.name(), why_not_timed(row));
             continue;
         }
         const Figures& f = *row.figures;
-        text += fmt::format(fmt::runtime(line), row.name(), row.verification.text, row.samples.size(),
-                            digits(1e3 * f.kernel.median), interval_text(f.kernel.interval, f.kernel.count, 1e3),
-                            digits(1e3 * f.kernel.mad), digits(1e3 * f.wall.median), digits(1e3 * row.context),
-                            digits(1e3 * row.build), digits(1e3 * f.upload), digits(1e3 * f.host),
-                            digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate), digits(1e-6 * f.estimate_rate),
-                            digits(1e-6 * f.iteration_rate), row.operations > 0 ? digits(1e-9 * row.operations) : "-",
-                            of(f.operation_rate, 1e-9), of(f.peak, 1e-9), percent(f.share), of(f.bound, 1e3),
-                            of(ratio_of(f.speed_up), 1), row.threads, row.simd_width, row.instruction_set);
+        table.add(row.name(), row.verification.text, row.samples.size(), digits(1e3 * f.kernel.median),
+                  interval_text(f.kernel.interval, f.kernel.count, 1e3), digits(1e3 * f.kernel.mad),
+                  digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
+                  digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate),
+                  digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
+                  row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9),
+                  of(f.peak, 1e-9), percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads,
+                  row.simd_width, row.instruction_set);
     }
-    return text;
+    return table.text();
 }
 
 std::string devices(const Result& result)
@@ -143,18 +130,17 @@ std::string devices(const Result& result)
     return text;
 }
 
-// Returns a line for each configuration whose upload, host and readback leave more than 5 % of the wall time
+// Returns a table of the configurations whose upload, host and readback leave more than 5 % of the wall time
 // unaccounted for.
 std::string incomplete_parts(const Result& result)
 {
     constexpr double little = 0.05;
-    std::string text;
+    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", "<point", ">share"});
     for (const Row& row : result.rows) {
-        if (!row.timed()) continue;
-        const auto share = row.figures->unaccounted;
-        if (share && *share > little)
-            text += fmt::format("{}{} {}\n", head(result, row), row.sweep_value, percent(share));
+        if (!row.timed() || row.figures->unaccounted.value_or(0) <= little) continue;
+        table.add_cells(cells_of(result, row, row.sweep_value, percent(row.figures->unaccounted)));
     }
+    const std::string text = table.text(console_columns);
     if (text.empty()) return {};
     return fmt::format("\nOf these rows' wall time, upload, host and readback leave more than {}\n{}", percent(little),
                        text);
@@ -163,55 +149,47 @@ std::string incomplete_parts(const Result& result)
 // Returns the sweep value for the end of a line; empty outside sweeps.
 std::string point_of(const Result& result, const Row& row)
 {
-    return row.sweep_value.empty() || result.study == standard_study ? "" : " " + row.sweep_value;
+    return result.study == standard_study ? "" : row.sweep_value;
 }
 
-// Returns a ratio and its interval in 28 columns.
-std::string cells(const std::optional<Quotient>& quotient)
+std::string interval_of(const std::optional<Quotient>& quotient)
 {
-    if (!quotient) return fmt::format("{:>8} {:<19}", "-", "");
-    return fmt::format("{:>8} {:<19}", digits(quotient->ratio),
-                       quotient->interval       ? interval_text(*quotient->interval)
-                       : quotient->ratio == 1.0 ? "its own baseline"
-                                                : "too few samples");
+    if (!quotient) return "";
+    if (quotient->interval) return interval_text(*quotient->interval);
+    return quotient->ratio == 1.0 ? "its own baseline" : "too few samples";
 }
 
 // Returns the table of speed-ups over both baselines.
 std::string speed_ups(const Result& result)
 {
-    std::string text;
+    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", ">serial", "<95 % interval", ">scalar",
+                 "<95 % interval", "<point"});
     for (const Row& row : result.rows) {
-        if (!row.timed()) continue;
+        if (!row.timed() || (!row.figures->speed_up && !row.figures->over_scalar)) continue;
         const Figures& f = *row.figures;
-        if (f.speed_up || f.over_scalar) {
-            text += fmt::format("{} {} {}{}\n", head(result, row), cells(f.speed_up), cells(f.over_scalar),
-                                point_of(result, row));
-        }
+        table.add_cells(cells_of(result, row, of(ratio_of(f.speed_up), 1), interval_of(f.speed_up),
+                                 of(ratio_of(f.over_scalar), 1), interval_of(f.over_scalar), point_of(result, row)));
     }
+    const std::string text = table.text(console_columns);
     if (text.empty()) return {};
-    return fmt::format(
-        "\nSpeed-up of wall time: over reference (serial, double, exact), and over the kernel as scalar C++ on the "
-        "host's\nthreads, in the row's precision and mode; intervals not corrected for their number\n{:<40} {:>8} "
-        "{:<19} {:>8} "
-        "{:<19}\n{}",
-        "", "serial", "95 % interval", "scalar", "95 % interval", text);
+    return "\nSpeed-up of wall time: over reference (serial, double, exact), and over the kernel as scalar C++ on the "
+           "host's\nthreads, in the row's precision and mode; intervals not corrected for their number\n" +
+           text;
 }
 
 std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
 {
     if (ratios.empty()) return {};
-    constexpr const char* line = "{:<9} {:<5} {:<13} {:>3} {:>7} {:<18} {:>5}{}\n";
-    std::string text = fmt::format("\n{}; intervals not corrected for their number\n", title);
-    text += fmt::format(fmt::runtime(line), fractal ? "scene" : "precision", "mode", "backend", "dev", "ratio",
-                        "95 % interval", "pairs", "");
+    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", ">ratio", "<95 % interval", ">pairs", "<point"});
     for (const Ratio& ratio : ratios) {
         const Row& row = result.row(ratio.denominator);
-        text += fmt::format(
-            fmt::runtime(line), fractal ? short_name(row.fractal) : name_of(row.precision), name_of(row.mode),
-            short_application(result, row), row.device, ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-",
-            interval_text(ratio.ratio.interval, ratio.ratio.count), ratio.ratio.count, point_of(result, row));
+        std::vector<std::string> cells = cells_of(result, row, ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-",
+                                                  interval_text(ratio.ratio.interval, ratio.ratio.count),
+                                                  fmt::format("{}", ratio.ratio.count), point_of(result, row));
+        cells.at(fractal ? 1 : 0).clear();
+        table.add_cells(std::move(cells));
     }
-    return text;
+    return fmt::format("\n{}; intervals not corrected for their number\n{}", title, table.text(console_columns));
 }
 
 }  // namespace

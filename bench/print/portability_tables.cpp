@@ -81,25 +81,22 @@ std::string to_csv(const std::vector<Portability>& portabilities)
 
 std::string to_console(const std::vector<Portability>& portabilities)
 {
-    constexpr const char* line = "{:<22} {:<9} {:<5} {:<10} {:<7} {:>7} {:<14} {:>7} {}\n";
     const std::vector<std::string> platforms = platforms_of(portabilities);
     std::string text = "H, the set of platforms:\n";
     for (std::size_t i = 0; i < platforms.size(); ++i) {
         text += fmt::format("  {}  {}\n", i + 1, printable(platforms[i], longest_note));
     }
-    text += fmt::format(fmt::runtime(line), "problem", "precision", "mode", "backend", "H", "PP app", "95 %", "PP peak",
-                        "95 %");
+    Table table({"<problem", "<precision", "<mode", "<backend", "<H", ">PP app", "<95 %", ">PP peak", "<95 %"});
     const auto three = [](double value) { return fmt::format("{:.3f}", value); };
     const auto interval = [](const Interval& i) { return fmt::format("[{:.3f}, {:.3f}]", i.low, i.high); };
     for (const Portability& p : portabilities) {
         if (p.platforms.empty()) continue;
-        text += fmt::format(fmt::runtime(line), printable(p.problem, 100), name_of(p.precision), name_of(p.mode),
-                            printable(p.application, 100), numbers_of(p, platforms), three(p.application_portability),
-                            interval(p.application_interval),
-                            p.architecture_portability ? three(*p.architecture_portability) : "-",
-                            p.architecture_interval ? interval(*p.architecture_interval) : "");
+        table.add(printable(p.problem, 100), name_of(p.precision), name_of(p.mode), printable(p.application, 100),
+                  numbers_of(p, platforms), three(p.application_portability), interval(p.application_interval),
+                  p.architecture_portability ? three(*p.architecture_portability) : "-",
+                  p.architecture_interval ? interval(*p.architecture_interval) : "");
     }
-    return text +
+    return text + table.text() +
            "PP app: 1 for a backend that is the fastest on every platform of H; 0: unavailable on one, or a wrong "
            "picture\n"
            "PP peak: -: the peak of a platform of H was not measured\n" +

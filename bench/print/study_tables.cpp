@@ -53,12 +53,8 @@ std::string errors_of(const Result& result)
 // Returns a table of the counted work, which explains why one fractal is slower than another.
 std::string counts_table(const Result& result)
 {
-    std::string text = fmt::format(
-        "\nWork of the kernel, counted\n{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n",
-        "fractal", "precision", "mode", "scene", "calls", "iter per", "ops per", "quotients", "ops per", "active",
-        "active");
-    text += fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "", "", "", "",
-                        "per pix", "call", "iter", "per iter", "pixel", "steps", "iters");
+    Table table({"<fractal", "<precision", "<mode", "<scene", ">calls/pixel", ">iter/call", ">ops/iter",
+                 ">quotients/iter", ">ops/pixel", ">active steps", ">active iters"});
     for (const Counted& c : result.counts) {
         const Count& n = c;
         const Operations all = n.all();
@@ -66,49 +62,49 @@ std::string counts_table(const Result& result)
         const double pixels = whole != nullptr ? static_cast<double>(whole->setting.width) * whole->setting.height
                                                : static_cast<double>(n.pixels);
         const Work& work = whole != nullptr ? whole->work : n.work;
-        text +=
-            fmt::format("{:<11} {:<9} {:<5} {:<9} {:>8.2f} {:>9.2f} {:>8.1f} {:>9.2f} {:>9.0f} {:>6.0f}% {:>6.0f}%\n",
-                        c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
-                        static_cast<double>(work.de_calls) / pixels, ratio(n.march_iterations, n.march_estimates),
-                        n.per_iteration(), ratio(all.divisions + all.square_roots, n.work.iterations),
-                        n.per_iteration() * static_cast<double>(work.iterations) / pixels,
-                        100 * n.lane_use.front().together.in_steps, 100 * n.lane_use.front().together.in_iterations);
+        const ActiveLanes& together = n.lane_use.front().together;
+        table.add(c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
+                  fmt::format("{:.2f}", static_cast<double>(work.de_calls) / pixels),
+                  fmt::format("{:.2f}", ratio(n.march_iterations, n.march_estimates)),
+                  fmt::format("{:.1f}", n.per_iteration()),
+                  fmt::format("{:.2f}", ratio(all.divisions + all.square_roots, n.work.iterations)),
+                  fmt::format("{:.0f}", n.per_iteration() * static_cast<double>(work.iterations) / pixels),
+                  fmt::format("{:.0f}%", 100 * together.in_steps),
+                  fmt::format("{:.0f}%", 100 * together.in_iterations));
     }
-    return text + fmt::format(
-                      "calls: of the distance estimator; ops: + - * quotient root, of all stages; quotients "
-                      "include\nroots; active: lanes that do something, in packs of {} pixels\n",
-                      result.counts.empty() ? 0 : result.counts.front().lane_use.front().lanes);
+    return fmt::format(
+        "\nWork of the kernel, counted\n{}calls: of the distance estimator; ops: + - * quotient root, of all stages; "
+        "quotients include\nroots; active: lanes that do something, in packs of {} pixels\n",
+        table.text(console_columns), result.counts.empty() ? 0 : result.counts.front().lane_use.front().lanes);
 }
 
 // Returns a table of lane utilisation without and with refill, and of the gain. With refill, a lane takes the next
 // pixel as soon as the lane's ray has ended.
 std::string lanes_table(const Result& result)
 {
-    constexpr const char* line = "{:<11} {:<9} {:<5} {:<9} {:>5} {:>10} {:>10} {:>10} {:>10} {:>8}\n";
-    std::string text = "\nLanes that do something while rays march: of the steps, of the estimator's iterations\n";
-    text += fmt::format(fmt::runtime(line), "fractal", "precision", "mode", "scene", "lanes", "together", "",
-                        "refilled", "", "gain");
+    Table table({"<fractal", "<precision", "<mode", "<scene", ">lanes", ">together: steps", ">iters",
+                 ">refilled: steps", ">iters", ">gain"});
     for (const Counted& c : result.counts) {
         for (const LaneUse& use : c.lane_use) {
             if (!use.refilled) continue;
             const auto share = [](double active) { return fmt::format("{:.0f}%", 100 * active); };
-            text += fmt::format(fmt::runtime(line), c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
-                                use.lanes, share(use.together.in_steps), share(use.together.in_iterations),
-                                share(use.refilled->in_steps), share(use.refilled->in_iterations),
-                                fmt::format("{:.2f}", use.refilled->in_iterations / use.together.in_iterations));
+            table.add(c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view, use.lanes,
+                      share(use.together.in_steps), share(use.together.in_iterations), share(use.refilled->in_steps),
+                      share(use.refilled->in_iterations),
+                      fmt::format("{:.2f}", use.refilled->in_iterations / use.together.in_iterations));
         }
     }
-    return text +
-           "together: neighbouring pixels go on until the last is done; refilled: a lane whose ray has ended "
-           "takes the next\npixel of a block of 256; gain: iterations a cycle, refilled over together, without "
-           "what refilling costs\n";
+    return "\nLanes that do something while rays march: of the steps, of the estimator's iterations\n" +
+           table.text(console_columns) +
+           "together: neighbouring pixels go on until the last is done; refilled: a lane whose ray has ended takes the "
+           "next\npixel of a block of 256; gain: iterations a cycle, refilled over together, without what refilling "
+           "costs\n";
 }
 
 // Returns a table of each fractal's ladder, with the gain of each rung over the rung before it, and of the last rung
 // over the first.
 std::string ladder_table(const Result& result)
 {
-    constexpr const char* line = "{:<11} {:<16} {:>9} {:>8} {:<16}\n";
     const auto gain = [](const Ratio& ratio) {  // ratio of kernel times, earlier rung / later rung
         return digits(1 / ratio.ratio.median);
     };
@@ -116,8 +112,7 @@ std::string ladder_table(const Result& result)
         const auto& of = ratio.ratio.interval;
         return of ? interval_text({1 / of->high, 1 / of->low}) : fmt::format("n = {}", ratio.ratio.count);
     };
-    std::string text = "\nThe ladder: each rung changes one thing, and gains a factor of kernel time\n";
-    text += fmt::format(fmt::runtime(line), "fractal", "rung", "ms", "gain", "95 % interval");
+    Table table({"<fractal", "<rung", ">ms", ">gain", "<95 % interval"});
     for (const Row& row : result.rows) {
         if (!row.timed()) continue;
         const auto is_of_row = [&](const Ratio& ratio) {
@@ -125,14 +120,15 @@ std::string ladder_table(const Result& result)
         };
         const auto step = std::ranges::find_if(result.questions.to_previous_value, is_of_row);
         const bool compared = step != result.questions.to_previous_value.end();
-        text += fmt::format(fmt::runtime(line), row.fractal, row.sweep_value, digits(1e3 * row.figures->kernel.median),
-                            compared ? gain(*step) : "", compared ? interval(*step) : "");
+        table.add(row.fractal, row.sweep_value, digits(1e3 * row.figures->kernel.median), compared ? gain(*step) : "",
+                  compared ? interval(*step) : "");
         const auto whole = std::ranges::find_if(result.questions.to_first_value, is_of_row);
         const bool last = &row == &result.rows.back() || (&row + 1)->fractal != row.fractal;
         if (!last || whole == result.questions.to_first_value.end()) continue;
-        text += fmt::format(fmt::runtime(line), row.fractal, "all together", "", gain(*whole), interval(*whole));
+        table.add(row.fractal, "all together", "", gain(*whole), interval(*whole));
     }
-    return text;
+    return "\nThe ladder: each rung changes one thing, and gains a factor of kernel time\n" +
+           table.text(console_columns);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/scenes/equivalence.h"
 
+#include "bench/base/table.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -234,14 +236,13 @@ EquivalenceResult compare_backends(const Registry& registry, const EquivalenceOp
 
 std::string to_console(const EquivalenceResult& result)
 {
-    std::string text = fmt::format("{:<8} {:>3} {:<32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", "backend", "dev", "device",
-                                   "precision", "SIMD", "pictures", "unavailable", "wrong");
+    Table table({"<backend", ">dev", "<device", "<precision", ">SIMD", ">pictures", ">unavailable", ">wrong"});
     for (const Tested& s : result.subjects) {
-        text += fmt::format("{:<8} {:>3} {:<32.32} {:<9} {:>4}  {:>8}  {:>11}  {:>5}\n", s.backend, s.options.device,
-                            s.device, name_of(s.options.precision),
-                            s.options.simd_width > 0 ? fmt::format("{}", s.options.simd_width) : "", s.pictures,
-                            s.unavailable, s.wrong);
+        table.add(s.backend, s.options.device, clipped(s.device, 32), name_of(s.options.precision),
+                  s.options.simd_width > 0 ? std::to_string(s.options.simd_width) : "", s.pictures, s.unavailable,
+                  s.wrong);
     }
+    std::string text = table.text();
     for (const Tested& s : result.subjects) {
         if (s.unavailable > 0) text += fmt::format("{}: unavailable, the first: {}\n", s.name(), s.refusal);
     }

@@ -224,9 +224,8 @@ std::string to_console(const RandomResult& result)
         "{} x {} pixels\n",
         result.backend, result.without.empty() ? "" : " without " + result.without, all.front().all.scenes / sets, sets,
         result.width, result.height);
-    text += fmt::format("{:<8} {:<9}  {:>18}  {:>18}  {:>15}  {:>15}  {:>6}\n", "fractal", "precision",
-                        "pixels off, by set", "hit or miss wrong", fmt::format("scenes over {:.0f} %", 100 * most_off),
-                        "short of digits", "worst");
+    Table table({"<fractal", "<precision", ">pixels off, by set", ">hit or miss wrong",
+                 fmt::format(">scenes over {:.0f} %", 100 * most_off), ">short of digits", ">worst"});
     for (const RandomSums& sums : all) {
         const auto range = [&](double (RandomSum::*share)() const, int digits) {
             std::vector<double> values;
@@ -234,11 +233,11 @@ std::string to_console(const RandomResult& result)
             const auto [min, max] = std::ranges::minmax(values);
             return fmt::format("{:.{}f} to {:.{}f} %", min, digits, max, digits);
         };
-        text += fmt::format("{:<8} {:<9}  {:>18}  {:>18}  {:>15}  {:>15}  {:>5.1f}%\n", sums.fractal,
-                            name_of(sums.precision), range(&RandomSum::off, 2), range(&RandomSum::wrong_hits, 3),
-                            fmt::format("{} of {}", sums.all.far_off, sums.all.scenes), sums.all.short_of_digits,
-                            100 * sums.all.worst);
+        table.add(sums.fractal, name_of(sums.precision), range(&RandomSum::off, 2), range(&RandomSum::wrong_hits, 3),
+                  fmt::format("{} of {}", sums.all.far_off, sums.all.scenes), sums.all.short_of_digits,
+                  fmt::format("{:.1f}%", 100 * sums.all.worst));
     }
+    text += table.text();
     for (const RandomSums& sums : result.sums) text += sums.missed;
     return text + fmt::format(
                       "off: by more than 2 of 255; short of digits: those of the scenes over {0:.0f} % in which exact "

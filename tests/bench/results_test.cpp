@@ -100,7 +100,7 @@ TEST(ResultFile, RungsOfALadderStandBesideTheOneBefore)
     EXPECT_DOUBLE_EQ(previous[0].ratio.median, 1.0 / 2);
     EXPECT_DOUBLE_EQ(previous[1].ratio.median, 1.0 / 3);
     const std::string text = to_console(result, false);
-    EXPECT_NE(text.find("mandelbox   all together                  6.000 [6.000, 6.000]"), std::string::npos) << text;
+    EXPECT_NE(text.find("mandelbox all together       6.000 [6.000, 6.000]"), std::string::npos) << text;
 }
 
 // Each of these values is an error, with one line that has the file, the place and the value.
