@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <csignal>
 #include <memory>
 
 #include "cli/arguments.h"
@@ -11,7 +12,9 @@
 #include "bench/files/result_file.h"
 #include "bench/print/printers.h"
 #include "bench/base/table.h"
+#include "bench/harness/interruption.h"
 #include "bench/harness/peaks.h"
+#include "bench/machine/environment.h"
 #include "bench/harness/runs.h"
 #include "bench/harness/session.h"
 #include "bench/print/demo_table.h"
@@ -26,6 +29,7 @@ struct Measurement {
     Options options;
     Result result;
     Outputs outputs;
+    std::string earlier;  // stored result to continue; empty: none
     bool list = false, wide = false;
     bool quiet = false;  // no table and no progress, as in further runs
 };
@@ -57,6 +61,7 @@ void add_options(CLI::App& app, Registry& registry, Measurement& m)
     app.add_option("--runs", o.runs, "number of processes that repeat the study, one after the other")
         ->check(whole(1, 1000))
         ->capture_default_str();
+    app.add_option("--continue", m.earlier, "stored result that runs are added to, until there are --runs of them");
     app.add_option(
            "--budget", o.budget,
            "time for the timed rounds, in seconds (default: 150 s minus the time already spent, but at least 15 s "
@@ -88,7 +93,7 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& word = arguments[i];
         const auto is = [&](const std::string& name) { return word == name || word.starts_with(name + "="); };
-        if (is("--json") || is("--csv") || is("--runs")) {
+        if (is("--json") || is("--csv") || is("--runs") || is("--continue")) {
             if (word.find('=') == std::string::npos) ++i;
         } else if (word != "--wide") {
             kept.push_back(word);
@@ -102,7 +107,17 @@ Outputs::Done measured(Measurement& m, Registry& registry, const std::vector<std
     const int runs = m.options.runs;
     Display display(m.quiet);
     const auto start = Clock::now();
-    m.result = measure(registry, m.options, [&](const Step& step) { display.show(step); });
+    if (m.earlier.empty()) {
+        m.result = measure(registry, m.options, [&](const Step& step) { display.show(step); });
+    } else {
+        m.result = read_result(m.earlier);
+        const auto revision = environment(registry).at("git").at("revision");
+        if (m.result.study != m.options.study->name || m.result.environment.at("git").at("revision") != revision) {
+            throw InputError(fmt::format("{}: study {} of revision {}, expected {} of {}", m.earlier, m.result.study,
+                                         m.result.environment.at("git").at("revision").dump(), m.options.study->name,
+                                         revision.dump()));
+        }
+    }
     if (runs > 1) {
         m.result = with_further_runs(std::move(m.result), runs, [&](int run) {
             display.show({"further runs", static_cast<double>(run) / runs, fmt::format("run {} of {}", run + 1, runs)},
@@ -139,7 +154,13 @@ Run measure_command(CLI::App& app, Registry& registry, const std::vector<std::st
             const std::string argument = name.substr(name.find(':') + 1);
             if (argument != name) read.insert(read.end(), {argument, argument.substr(0, argument.find(' '))});
         }
-        return m->outputs.deliver(read, [&] { return measured(*m, registry, arguments); });
+        const int code = m->outputs.deliver(read, [&] { return measured(*m, registry, arguments); });
+        if (interrupted() != 0) {
+            flush_stdout();
+            std::signal(interrupted(), SIG_DFL);
+            std::raise(interrupted());
+        }
+        return code;
     };
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "bench/result/figures.h"
+#include "bench/harness/interruption.h"
 #include "bench/harness/moving_eye.h"
 #include "bench/harness/verify.h"
 #include "core/base/error.h"
@@ -39,7 +40,7 @@ public:
     {
         for (int round = 0; round < most(); ++round) {
             std::vector<TimedCase*> order = unfinished();
-            if (order.empty()) break;
+            if (order.empty() || interrupted() != 0) break;
             std::shuffle(order.begin(), order.end(), random_);
             if (eye_ != nullptr) {
                 eye_->next_round();
@@ -67,6 +68,7 @@ private:
         const std::string text =
             fmt::format("round {} of {}{}", round + 1, rules_.repetitions ? "" : "at most ", most());
         for (std::size_t i = 0; i < order.size(); ++i) {
+            if (interrupted() != 0) return;
             if (!out_of_time() || order[i]->one->row.samples.empty()) draw(*order[i], round);
             const double of_round = static_cast<double>(i + 1) / static_cast<double>(order.size());
             phase({"timing", share((round + of_round) / most()), text});
@@ -90,6 +92,7 @@ private:
             live.spent += sample.wall;
             row.samples.push_back(sample);
         } catch (const std::exception& error) {
+            if (interrupted() != 0) return;  // the signal may have ended the device's process, too
             row.failure = error.what();
             row.samples.clear();
             live.done = true;

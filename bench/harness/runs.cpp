@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <filesystem>
 
 #include "bench/result/figures.h"
 #include "bench/files/result_file.h"
+#include "bench/harness/interruption.h"
 #include "core/base/child_process.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
@@ -34,7 +36,7 @@ Result merged(std::vector<Result> results)
         raise_peaks(all.peaks, one.peaks);
         all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
     }
-    all.runs = static_cast<int>(results.size());
+    all.runs += static_cast<int>(results.size()) - 1;
     return derived(std::move(all));
 }
 
@@ -42,7 +44,8 @@ Result with_further_runs(Result first, int count, const RunProcess& run)
 {
     std::vector<Result> results{std::move(first)};
     std::vector<std::string> lost;
-    for (int number = 1; number < count; ++number) {
+    const Interruption interruption;
+    for (int number = results.front().runs; number < count && interrupted() == 0; ++number) {
         try {
             results.push_back(run(number));
             for (std::string& warning : results.back().warnings) warning = fmt::format("run {}: {}", number, warning);
@@ -51,6 +54,7 @@ Result with_further_runs(Result first, int count, const RunProcess& run)
             say("bench: {}, the other runs are kept\n", printable(lost.back()));
         }
     }
+    if (interrupted() != 0) lost.emplace_back("incomplete: the runs were interrupted");
     Result all = merged(std::move(results));
     all.warnings.insert(all.warnings.end(), lost.begin(), lost.end());
     return all;
@@ -64,9 +68,14 @@ Result run_again(const std::vector<std::string>& arguments, int run)
     words.insert(words.end(), arguments.begin(), arguments.end());
     words.insert(words.end(), {"--quiet", "--json", "-", "--run", std::to_string(run)});
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-    const int code = ChildProcess({.words = std::move(words), .program = program, .output = file.number()}).end().code;
-    // bench writes a result only if it ends with one of these two exit codes. exit_failure means a wrong picture.
-    if (code != exit_success && code != exit_failure) throw Error(fmt::format("ended with {}", code));
+    ChildProcess child({.words = std::move(words), .program = program, .output = file.number()});
+    while (!child.ends_within(interrupted() != 0 ? ChildProcess::no_limit : 0.1)) {
+        if (interrupted() != 0) child.interrupt();
+    }
+    const int code = child.end().code;
+    // bench writes a result only if it ends with one of these exit codes. exit_failure means a wrong picture.
+    if (code != exit_success && code != exit_failure && code != 128 + SIGINT)
+        throw Error(fmt::format("ended with {}", code));
     const std::string text = file.text();
     if (text.empty()) throw Error(fmt::format("ended with {} and left no result", code));
     try {

@@ -17,7 +17,8 @@ using RunProcess = std::function<Result(int run)>;
 // everything else from the first run. A configuration that fails in any run fails in the merged result.
 Result merged(std::vector<Result> results);
 
-// Executes runs 1 to count - 1 and merges their results with `first`, the result of run 0. For a run without a result,
+// Executes runs until there are `count`, or until Ctrl+C, and merges their results with `first`, the result of the
+// earlier ones. For a run without a result,
 // adds a warning and prints a line on stderr. Result::runs is the number of runs with a result.
 Result with_further_runs(Result first, int count, const RunProcess& run);
 

@@ -7,6 +7,7 @@
 
 #include "bench/machine/environment.h"
 #include "bench/result/figures.h"
+#include "bench/harness/interruption.h"
 #include "bench/harness/moving_eye.h"
 #include "bench/harness/peaks.h"
 #include "bench/harness/verify.h"
@@ -82,12 +83,15 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     const bool replays = std::ranges::any_of(live, [](const TimedCase& c) { return c.one->backend->info().replays; });
     MovingEye eye(registry);
     result.moved_eye = options.move_eye || replays;
+    const Interruption interruption;
     run_rounds(live, rules, phase, result.moved_eye ? &eye : nullptr);
     const nlohmann::ordered_json told = telemetry.since_start();
     // Measure the peaks again. If the machine was slower before the rounds, the first peaks are too low, and the shares
     // of peak would be too high.
-    record.add(peaks(every_peak));
-    record = settled_peaks(std::move(record), peaks);
+    if (interrupted() == 0) {
+        record.add(peaks(every_peak));
+        record = settled_peaks(std::move(record), peaks);
+    }
     result.peaks = record.best();
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     result.warnings = record.warnings();
@@ -95,6 +99,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     if (!environment_variable("MANDELMARCH_REHEARSAL").empty()) {  // packaging/gpu_check
         result.warnings.emplace(result.warnings.begin(), "a rehearsal: a device called a GPU may not be one");
     }
+    if (interrupted() != 0) result.warnings.emplace_back("incomplete: the rounds were interrupted");
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
     result.environment["during"] = steadiness.during();
     result.environment["telemetry"] = told;

@@ -152,9 +152,9 @@ ChildProcess::~ChildProcess()
     }
 }
 
-void ChildProcess::kill() const
+void ChildProcess::send(int signal) const
 {
-    if (!ended_) ::kill(group_ ? -id_ : id_, SIGKILL);
+    if (!ended_) ::kill(group_ ? -id_ : id_, signal);
 }
 
 void ChildProcess::take()

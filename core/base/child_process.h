@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <cstddef>
+#include <csignal>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -78,10 +79,13 @@ public:
     // Waits for the end; kills the child if it still runs after `seconds`.
     const Ended& end(double seconds = no_limit);
     // Kills the child without waiting. Any thread may call it.
-    void kill() const;
+    void kill() const { send(SIGKILL); }
+    // Sends SIGINT, as Ctrl+C does.
+    void interrupt() const { send(SIGINT); }
 
 private:
     void take();
+    void send(int signal) const;
 
     Clock::time_point start_ = Clock::now();
     pid_t id_;

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """progress_test.py BIN: if stderr is a terminal, bench shows the rounds and the time left in one line, which changes.
-Otherwise it prints each message once. Exit code 77: the system has no pseudoterminals, and CI is not set."""
+Otherwise it prints each message once. Ctrl+C loses no samples. Exit code 77: the system has no pseudoterminals, and CI is not set."""
+import json
 import os
 import pathlib
 import pty
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 BENCH = pathlib.Path(sys.argv[1], "bench")
 ROWS = ["--backend", "openmp", "--fractal", "box", "--size", "64x64", "--precision", "float"]
@@ -52,4 +55,22 @@ with tempfile.TemporaryDirectory() as name:
     assert "\n" not in said, "lines beside the one that changes"
     said = on_terminal(folder, "peak", "--precision", "float")
     assert re.search(r"multiply-add peaks \[[#.]+\] +\d+ %, \w+ float", said), said[-3000:]
+    # Ctrl+C: what was measured is written and marked, and can be continued. The second time, a further run is measured.
+    result = folder / "result.json"
+    for phase in "timing", "further runs":
+        rounds = "100000" if phase == "timing" else "2"
+        command = [BENCH, *ROWS, "--no-peaks", "--repetitions", rounds, "--runs", "1000", "--json", result]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as bench:
+            while phase not in bench.stderr.readline():
+                assert bench.poll() is None, "no such phase"
+            time.sleep(1)
+            bench.send_signal(signal.SIGINT)
+            assert bench.wait() == -signal.SIGINT, bench.returncode
+        written = json.loads(result.read_text(encoding="utf-8"))
+        assert any("interrupted" in warning for warning in written["warnings"]), written["warnings"]
+        assert all(row["samples"] for row in written["rows"] if row.get("device_name")), written["rows"]
+    runs = str(written["runs"] + 1)
+    command = [BENCH, *ROWS, "--no-peaks", "--repetitions", "2", "--runs", runs, "--continue", result, "--json", result]
+    subprocess.run(command, capture_output=True, check=True)
+    assert str(json.loads(result.read_text(encoding="utf-8"))["runs"]) == runs
 print("fine")
