@@ -181,7 +181,7 @@ TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
     }
 }
 
-TEST(Fractals, ByNameAndNickname)
+TEST(Fractals, AreFoundByNameAndShortName)
 {
     EXPECT_EQ(&fractal_named("bulb"), &fractal_named("mandelbulb"));
     EXPECT_THROW(fractal_named("no-such-fractal"), InputError);
