@@ -27,13 +27,6 @@ protected:
                       {.precision = GetParam(), .mode = mode, .threads = threads, .simd_width = simd_width});
     }
 
-    RenderStats draw_report() const
-    {
-        const Scene scene = official_scene("bulb", 8, 8);
-        Image image(8, 8, Image::Layers::bytes);
-        return openmp.create({.precision = GetParam()})->render(scene, image);
-    }
-
     static std::vector<NamedScene> scenes()
     {
         std::vector<NamedScene> all = odd_scenes();
@@ -130,7 +123,9 @@ TEST_P(SameBits, InstructionSetDoesNotChangeABit)
     // Builds for this machine and sanitizer builds have one instruction set (cmake/InstructionSets.cmake).
     EXPECT_TRUE(MANDELMARCH_ONE_INSTRUCTION_SET || ran.contains("SSE4"));
     EXPECT_TRUE(ran.contains("scalar"));
-    EXPECT_TRUE(ran.contains(draw_report().instruction_set));
+    Image image(8, 8, Image::Layers::bytes);
+    const Scene scene = official_scene("bulb", 8, 8);
+    EXPECT_TRUE(ran.contains(openmp.create({.precision = GetParam()})->render(scene, image).instruction_set));
 }
 
 // AVX-512 can be selected by its usual name and by Highway's, AVX3, and is reported by its usual name. An empty name
