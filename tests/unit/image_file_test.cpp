@@ -180,8 +180,6 @@ TEST_F(Files, PipeIsWrittenInto)
 
 TEST_F(Files, UnwritableTargetsAreRefused)
 {
-    EXPECT_THROW(OutputFile::check(path("missing/a.bmp")), InputError);
-    EXPECT_THROW(OutputFile::check(folder.string()), InputError);
     EXPECT_THROW(OutputFile::check(""), InputError);
     EXPECT_THROW(OutputFile::check(path(std::string(300, 'a') + ".bmp")), InputError);
     EXPECT_NO_THROW(OutputFile::check(path("a.bmp")));
