@@ -68,9 +68,9 @@ inline constexpr double most_wrong_hits = 0.0002;  // fraction of the pixels tha
 
 struct RandomResult {
     std::string backend, without;
-    int width = 0, height = 0;  // pixels of each picture
+    int width = 0, height = 0;           // pixels of each picture
     nlohmann::ordered_json environment;  // set by the caller
-    std::vector<RandomRow> rows;  // ordered by precision, fractal, set
+    std::vector<RandomRow> rows;         // ordered by precision, fractal, set
 
     std::vector<RandomSums> sums;  // set by summed()
     bool passed() const;           // true if every set meets both limits

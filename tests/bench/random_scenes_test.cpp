@@ -59,10 +59,16 @@ TEST(Random, ComparesTheScenesThatTestsDraw)
     EXPECT_EQ(result.sums.size(), 4U);
 }
 
+// The constants of relaxed(), fast.step_factor, tails and trials were tuned on scenes of other seeds. Double is precise
+// enough for all scenes. Therefore, in double, at most one scene in forty may be far off.
 TEST(Random, HoldsSetsToTheirShares)
 {
-    const RandomOptions options{.fractals = default_fractals(), .scenes = 12, .sets = {1001}};
-    EXPECT_TRUE(measure_random(registry(), options, no_progress).passed());
+    RandomOptions options{.fractals = default_fractals(), .scenes = 40, .sets = {7007}};
+    const RandomResult held = measure_random(registry(), options, no_progress);
+    EXPECT_TRUE(held.passed()) << to_console(held);
+    for (const RandomSums& sums : held.sums) EXPECT_LE(sums.all.far_off, sums.precision == Precision::f64 ? 1 : 40);
+    options.scenes = 12;
+    options.sets = {1001};
     RandomOptions plain = options;
     plain.backend = "plain";
     const RandomResult missed = measure_random(registry(), plain, no_progress);

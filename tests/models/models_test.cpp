@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every programming model gives the bits of the scalar kernel in pictures of every shape, and reports its device and
-// work. Negative controls are in mutants_test.cpp; tests/equivalence tests fast mode.
+// times. Negative controls are in mutants_test.cpp; tests/equivalence tests odd scenes, fast mode and work counts.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -28,7 +28,7 @@ protected:
 
     static std::vector<NamedScene> scenes()
     {
-        std::vector<NamedScene> all = odd_scenes();
+        std::vector<NamedScene> all;
         for (const char* fractal : {"bulb", "box"}) {
             all.push_back({fractal, official_scene(fractal, 270, 270)});
             all.push_back({"one pixel", official_scene(fractal, 1, 1)});
@@ -78,7 +78,7 @@ TEST_P(Models, MoreThanOneThreadDrawsWhereItSaysSo)
     }
 }
 
-TEST_P(Models, ReportsWhereItRanAndItsWork)
+TEST_P(Models, ReportsItsDeviceAndTimes)
 {
     const Scene scene = official_scene("box", 200, 150);
     Image image(scene.width, scene.height, Image::Layers::bytes);
@@ -89,10 +89,6 @@ TEST_P(Models, ReportsWhereItRanAndItsWork)
     const Timings& t = report.timings;
     EXPECT_GT(t.kernel, 0);
     EXPECT_LE(t.upload + t.host + t.readback, t.wall);
-    const Work expected = openmp.create({.precision = precision, .simd_width = 1})->render(scene, image).work;
-    EXPECT_EQ(report.work.steps, expected.steps);
-    EXPECT_EQ(report.work.de_calls, expected.de_calls);
-    EXPECT_EQ(report.work.iterations, expected.iterations);
 }
 
 // Models that do not support the option `threads`, and GPUs, ignore it.

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "backends/openmp/openmp.h"
-#include "backends/reference/reference.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/render/stereo.h"
@@ -21,24 +20,6 @@ Scene all_directions(int width, int height)
     Scene scene = official_scene("bulb", width, height);
     scene.projection = Projection::equirectangular;
     return scene;
-}
-
-// The reference and the kernel compute the directions of rays with different formulas. Their pictures must agree.
-TEST(AllDirections, AreTheReferencesOwn)
-{
-    for (const char* fractal : {"bulb", "box"}) {
-        Scene scene = official_scene(fractal, 120, 60);
-        scene.projection = Projection::equirectangular;
-        const Comparison difference =
-            compare(render(*make_reference_backend(), scene, {}), render(*make_openmp_backend(), scene, {}));
-        EXPECT_LE(difference.visibly_differing, difference.pixels / 500) << fractal;
-        // Negative control: a turned camera is detected.
-        Scene turned = scene;
-        turned.up = {0.1, 1, 0};
-        const Comparison found =
-            compare(render(*make_reference_backend(), turned, {}), render(*make_openmp_backend(), scene, {}));
-        EXPECT_GT(found.visibly_differing, found.pixels / 50) << fractal;
-    }
 }
 
 // Rays in the middle column of the picture go towards the target. Rays in the column that is a quarter of the width
@@ -125,7 +106,7 @@ TEST_F(TwoEyes, EachHasTheBitsOfItsOwnPicture)
 
 // If a point is nearer than the screen, it is further right in the left eye's picture than in the right eye's. If it is
 // behind the screen, it is further left.
-TEST_F(TwoEyes, SeeNearThingsCrossed)
+TEST_F(TwoEyes, ShowNearPointsCrossed)
 {
     const double distance = 3;
     const Image near = drawn(4 * distance / screen_distance);
@@ -160,7 +141,7 @@ TEST_F(TwoEyes, TurnWithTheDirectionOfAPanorama)
 
 // If both eyes are at one place, each sees the same panorama. The test uses exact mode, because in fast mode a pixel
 // may depend on the strip in which it is rendered.
-TEST_F(TwoEyes, AtOnePlaceSeeThePanorama)
+TEST_F(TwoEyes, AtOnePlaceShowThePanorama)
 {
     scene.width = 320;
     scene.height = 80;

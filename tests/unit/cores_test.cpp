@@ -146,7 +146,7 @@ TEST(Quota, IsTheLeastOfAllGroupsAbove)
     EXPECT_EQ(processor_quota(one.root()), 0.5);
 }
 
-TEST(Quota, TellsHowOftenItStoppedTheGroup)
+TEST(Quota, ThrottledPeriodsAreCounted)
 {
     Tree tree("0::/job\n");
     EXPECT_EQ(throttling(tree.root()).throttled, 0);
@@ -155,7 +155,7 @@ TEST(Quota, TellsHowOftenItStoppedTheGroup)
     EXPECT_EQ(throttling(tree.root()).periods, 103);
 }
 
-TEST(CoreCount, GoesByWhatWasGivenQuotaAndOpenmp)
+TEST(CoreCount, FollowsAffinityQuotaAndOpenmp)
 {
     EXPECT_EQ((Cores{.machine = 8, .given = 8}.threads()), 8);
     EXPECT_EQ((Cores{.machine = 8, .given = 3}.threads()), 3);
@@ -169,12 +169,6 @@ TEST(CoreCount, GoesByWhatWasGivenQuotaAndOpenmp)
 
 TEST(CoreCount, ReadsOpenmpsVariables)
 {
-    {
-        const Variable number("OMP_NUM_THREADS", " 3,2");
-        const Variable limit("OMP_THREAD_LIMIT", "2");
-        EXPECT_EQ(cores().asked, 3);
-        EXPECT_EQ(usable_threads(), 2);
-    }
     // GNU's library ignores these values, too, and says so.
     for (const char* nonsense : {"", "x", "0", "-2", "1e3", "3.7", "3x", "3,", "2,x", "99999999999999999999"}) {
         const Variable number("OMP_NUM_THREADS", nonsense);

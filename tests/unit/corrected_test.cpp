@@ -81,14 +81,14 @@ TEST(Corrected, QuotientsAndRootsAreThoseOfIeeeWhereTheDevicesAreUnitsOff)
 }
 
 // Negative control: if the device's result is far off, the correction, a Newton step, cannot mend it.
-TEST(Corrected, ADeviceThatIsFarOffIsNotMended)
+TEST(Corrected, DeviceThatIsFarOffIsNotCorrected)
 {
     units_off = 1 << 20;
     EXPECT_GT(wrong(), 0);
     units_off = 0;
 }
 
-TEST(Corrected, NumbersThatAreNotOrdinaryAreTheDevices)
+TEST(Corrected, ZeroAndInfinityAreUnchanged)
 {
     EXPECT_EQ(quotient(0.0F, 3.0F).value, 0.0F);
     EXPECT_TRUE(std::isinf(quotient(3.0F, 0.0F).value));

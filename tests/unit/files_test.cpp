@@ -84,7 +84,7 @@ protected:
     const fs::path folder = made.path();
 };
 
-TEST_F(OutputFiles, SharedMemoryIsAFolderAsOthers)
+TEST_F(OutputFiles, InSharedMemoryAreReplaced)
 {
     if (access("/dev/shm", W_OK) != 0) GTEST_SKIP() << "no /dev/shm";
     const std::string file = "/dev/shm/mandelmarch-test-" + std::to_string(getpid());
@@ -94,12 +94,9 @@ TEST_F(OutputFiles, SharedMemoryIsAFolderAsOthers)
     EXPECT_EQ(text_of(file), "new");
     fs::remove(file);
     EXPECT_NO_THROW(OutputFile::check(file));
-    write(file, "new");
-    EXPECT_EQ(text_of(file), "new");
-    fs::remove(file);
 }
 
-TEST_F(OutputFiles, ADescriptorIsWrittenIntoWhereItStands)
+TEST_F(OutputFiles, DescriptorIsWrittenAtItsPosition)
 {
     std::ofstream(path("log")) << "0123456789";
     const int descriptor = open(path("log").c_str(), O_WRONLY);
@@ -115,7 +112,7 @@ TEST_F(OutputFiles, ADescriptorIsWrittenIntoWhereItStands)
     EXPECT_TRUE(fs::is_symlink(path("link")));
 }
 
-TEST_F(OutputFiles, ADescriptorThatCannotBeWrittenIsSeenBeforehand)
+TEST_F(OutputFiles, ReadOnlyDescriptorIsRefused)
 {
     std::ofstream(path("log")) << "text";
     const int descriptor = open(path("log").c_str(), O_RDONLY);
@@ -124,7 +121,7 @@ TEST_F(OutputFiles, ADescriptorThatCannotBeWrittenIsSeenBeforehand)
     EXPECT_THROW(OutputFile::check("/dev/fd/" + std::to_string(descriptor)), InputError);
 }
 
-TEST_F(OutputFiles, ADanglingLinkStaysAndItsTargetIsMade)
+TEST_F(OutputFiles, DanglingLinkStaysAndItsTargetIsCreated)
 {
     fs::create_directory(path("inner"));
     fs::create_symlink("inner/second", path("first"));
@@ -145,36 +142,7 @@ TEST_F(OutputFiles, LinksThatLeadNowhereAreRefused)
     EXPECT_THROW(OutputFile::check(path("link")), InputError);
 }
 
-TEST_F(OutputFiles, SignalsThatEndTheProcessLeaveNothing)
-{
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        const auto half = [this] {
-            auto* file = new OutputFile(path("a"));
-            file->write("text", 4);
-            EXPECT_EQ(entries(folder), 1U);
-        };
-        const int status = end_of(half, signal);
-        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
-        EXPECT_EQ(entries(folder), 0U) << "signal " << signal;
-    }
-}
-
-// Negative control: a signal that cannot be handled leaves a partial file.
-TEST_F(OutputFiles, AKilledProcessLeavesItsHalfFile)
-{
-    const auto half = [this] { new OutputFile(path("a")); };
-    EXPECT_TRUE(WIFSIGNALED(end_of(half, SIGKILL)));
-    EXPECT_EQ(entries(folder), 1U);
-}
-
-TEST_F(OutputFiles, WhatIsWholeStaysAfterASignal)
-{
-    const int status = end_of([this] { write(path("a"), "text"); }, SIGTERM);
-    EXPECT_TRUE(WIFSIGNALED(status));
-    EXPECT_EQ(text_of(path("a")), "text");
-}
-
-TEST_F(OutputFiles, AnIgnoredSignalIsIgnored)
+TEST_F(OutputFiles, IgnoredSignalDoesNotEndTheProcess)
 {
     const auto half = [this] {
         std::signal(SIGHUP, SIG_IGN);
@@ -258,7 +226,7 @@ TEST_F(OutputFiles, AFileThatCannotBeReplacedIsWrittenInPlace)
     EXPECT_EQ(text_of(files_in(folder).front()), "text");
 }
 
-TEST_F(OutputFiles, AnotherUsersFileInAStickyFolderIsSeenBeforehand)
+TEST_F(OutputFiles, AnotherUsersFileInAStickyFolderIsRefused)
 {
     if (geteuid() != 0) GTEST_SKIP() << "only root can become another user";
     std::ofstream(path("a")) << "text";
@@ -322,7 +290,7 @@ protected:
     }
 };
 
-TEST_F(InputFiles, AnErrorInTheMiddleIsNotTheEnd)
+TEST_F(InputFiles, ReadErrorIsNotTheEndOfTheFile)
 {
     ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
     const auto read_half = [this] {
@@ -338,7 +306,7 @@ TEST_F(InputFiles, AnErrorInTheMiddleIsNotTheEnd)
     EXPECT_EXIT(leave(read_half), ended, "pipe: Input/output error, expected a story");
 }
 
-TEST_F(InputFiles, OnlyTextOfAFewBytesIsText)
+TEST_F(InputFiles, BinaryAndLargeFilesAreRefused)
 {
     const auto file = [&](std::string_view text) {
         write(path("a"), std::string(text));
@@ -350,8 +318,6 @@ TEST_F(InputFiles, OnlyTextOfAFewBytesIsText)
     EXPECT_EQ(refusal(file("123456"), 5), path("a") + ": it has more than 5 bytes, expected a story");
     EXPECT_NE(refusal(file("\xFF\xFEt")).find("UTF-16"), std::string::npos);
     EXPECT_NE(refusal("/dev/zero").find("NUL"), std::string::npos);
-    EXPECT_NE(refusal(folder).find("Is a directory"), std::string::npos);
-    EXPECT_NE(refusal(path("missing")).find("No such file"), std::string::npos);
 }
 
 TEST_F(InputFiles, TheProgramReadsOnlyRegularFilesOfItsOwn)
@@ -378,32 +344,23 @@ TEST_F(FileNames, OneFileHasManyNames)
 {
     fs::create_symlink("there", path("link"));
     fs::create_hard_link(path("there"), path("hard"));
-    for (const char* name : {"there", "inner/../there", "link", "hard"}) {
-        EXPECT_TRUE(same_file(path("there"), path(name))) << name;
-    }
-    EXPECT_FALSE(same_file(path("there"), path("other")));
-    EXPECT_FALSE(same_file(path("there"), path("missing")));
-}
-
-TEST_F(FileNames, SoHasAFileThatIsNotThereYet)
-{
     fs::create_symlink("missing", path("dangling"));
     fs::create_directory_symlink("inner", path("door"));
-    EXPECT_TRUE(same_file(path("missing"), path("./inner/../missing")));
-    EXPECT_TRUE(same_file(path("missing"), path("dangling")));
-    EXPECT_TRUE(same_file(path("inner/new"), path("door/new")));
-    EXPECT_FALSE(same_file(path("inner/new"), path("new")));
-    EXPECT_FALSE(same_file(path("new"), path("newer")));
+    using Names = std::vector<std::pair<const char*, const char*>>;
+    for (const auto& [a, b] : Names{{"there", "inner/../there"},
+                                    {"there", "link"},
+                                    {"there", "hard"},
+                                    {"missing", "./inner/../missing"},
+                                    {"missing", "dangling"},
+                                    {"inner/new", "door/new"}}) {
+        EXPECT_TRUE(same_file(path(a), path(b))) << a << " " << b;
+    }
+    for (const auto& [a, b] : Names{{"there", "other"}, {"there", "missing"}, {"inner/new", "new"}, {"new", "newer"}}) {
+        EXPECT_FALSE(same_file(path(a), path(b))) << a << " " << b;
+    }
 }
 
-TEST_F(FileNames, LinksInACircleAreRefused)
-{
-    fs::create_symlink("b", path("a"));
-    fs::create_symlink("a", path("b"));
-    EXPECT_THROW(end_of_links(path("a")), InputError);
-}
-
-TEST_F(FileNames, NothingWrittenIsAnotherFile)
+TEST_F(FileNames, OneFileForTwoPurposesIsRefused)
 {
     EXPECT_THROW(refuse_shared_files({{"--output", path("new")}, {"--stats", path("new")}}), InputError);
     EXPECT_THROW(refuse_shared_files({{"--output", path("there")}}, {{"PARAMS", path("./there")}}), InputError);

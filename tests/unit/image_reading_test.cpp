@@ -82,7 +82,7 @@ std::string refusal(Decoder decode, const std::string& file)
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST(PngReading, SixteenBitsAreTheCurveOfEight)
+TEST(PngReading, SixteenBitsGiveTheBytesOfEight)
 {
     const Image eight = decoded(decode_png, png(3, 1, 8, "\x01\x80\xfe"));
     const Image sixteen = decoded(decode_png, png(3, 1, 16, "\x01\x01\x80\x80\xfe\xfe"));
@@ -147,19 +147,14 @@ TEST(ExrReading, ColoursAloneAreComparedWhereThereIsNoDepth)
     const Image deep = decoded(decode_exr, exr({"R", "G", "B", "Z"}));
     const Image full = decoded(decode_exr, exr({"R", "G", "B", "Z", "steps", "iterations"}));
     EXPECT_FALSE(flat.has_depths());
+    // Linear light of 0.5 is displayed as 187.5 of 255, which reading truncates.
+    EXPECT_EQ(flat.bytes()[0], 187);
+    EXPECT_EQ(deep.bytes()[0], 187);
     EXPECT_EQ(full.values()[0].steps, 5);
     const Comparison part = compare(flat, full);
     EXPECT_TRUE(part.same() && part.values_compared && !part.depths_compared);
     EXPECT_EQ(describe_pixel(flat, flat, 0).find("depth"), std::string::npos);
     EXPECT_TRUE(compare(deep, full).same() && compare(deep, full).depths_compared);
-}
-
-TEST(ExrReading, ColoursAreLight)
-{
-    // Linear light of 0.5 is displayed as 187.5 of 255, which reading truncates.
-    EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B"})).bytes()[0], 187);
-    EXPECT_EQ(decoded(decode_exr, exr({"R", "G", "B", "Z"})).bytes()[0], 187);
-    EXPECT_TRUE(decoded(decode_exr, exr({"R", "G", "B", "Z"})).has_depths());
 }
 
 // The channels R, G and B contain linear light, as compositing programs expect. Reading the file gives the displayed
@@ -250,25 +245,6 @@ TEST(Reading, NothingIsDecodedThatMemoryCannotHold)
     EXPECT_THROW(read_image(path), InputError);
 }
 
-TEST(Reading, TopDownAnd32BitBmpsAreRead)
-{
-    std::string bmp("BM", 2);
-    bmp.resize(54 + 8, '\0');
-    bmp[10] = 54;
-    bmp[14] = 40;
-    bmp[18] = 1;
-    for (int i = 22; i < 26; ++i) bmp[static_cast<std::size_t>(i)] = '\xff';
-    bmp[22] = '\xfe';  // height -2, which means that the top row is first
-    bmp[26] = 1;
-    bmp[28] = 32;
-    bmp[54] = 10;  // blue of the top row
-    bmp[58] = 20;
-    const Image image = decode_bmp(std::as_bytes(std::span(bmp)), "memory");
-    EXPECT_EQ(image.height(), 2);
-    EXPECT_EQ(image.bytes()[2], 20);
-    EXPECT_EQ(image.bytes()[5], 10);
-}
-
 std::string little_endian(std::uint32_t value, int bytes)
 {
     std::string text;
@@ -308,6 +284,16 @@ TEST(BmpMasks, AreHeededInAnyOrder)
             EXPECT_EQ(image.bytes(), wanted) << header << " " << order[0] << order[1] << order[2];
         } while (std::ranges::next_permutation(order).found);
     }
+}
+
+TEST(BmpReading, TopDownPicturesWithoutMasksAreRead)
+{
+    std::string file = masked_bmp(0xff0000, 0xff00, 0xff, 40);
+    file.replace(18, 8, little_endian(1, 4) + little_endian(~1U, 4));  // one column, height -2
+    file.replace(30, 4, little_endian(0, 4));                          // no masks
+    const Image image = decode_bmp(std::as_bytes(std::span(file)), "memory");
+    EXPECT_EQ(image.height(), 2);
+    EXPECT_EQ(image.bytes(), (std::pmr::vector<std::uint8_t>{4, 5, 6, 1, 2, 3}));
 }
 
 TEST(BmpMasks, OfOtherNumbersOfBitsAreMadeBytes)

@@ -234,13 +234,13 @@ TEST_F(Isolation, ACancelledDrawingLeavesTheProcessAsItWas)
 
 // The driver hangs and therefore sends no progress after the request to cancel. The render must end without waiting for
 // the driver.
-TEST_F(Isolation, ADeviceThatHangsIsNotWaitedForLongerWhereItIsCancelled)
+TEST_F(Isolation, CancellingADeviceThatHangsIsAnError)
 {
     const auto renderer = made(Where::drawing)->create({.device = hangs});
     EXPECT_THROW(drawn(*renderer, bad_scene(), stopped()), Error);
 }
 
-TEST_F(Isolation, ErrorsComeThroughAsTheyAre)
+TEST_F(Isolation, ErrorsKeepTheirTypeAndMessage)
 {
     const auto backend = made(Where::opening);
     const auto create = [&](Conduct conduct) { return [&backend, conduct] { backend->create({.device = conduct}); }; };
@@ -265,7 +265,7 @@ TEST_F(Isolation, MemoryThatCannotBeSharedIsAnErrorWithItsCause)
     EXPECT_NE(why.find("File too large"), std::string::npos) << why;
 }
 
-TEST_F(Isolation, AnErrorNamesWhereAndHowAProcessEnded)
+TEST_F(Isolation, ProcessThatEndsIsAnErrorWithStageAndCause)
 {
     const auto opening = made(Where::opening);
     const auto drawing = made(Where::drawing);
@@ -276,6 +276,7 @@ TEST_F(Isolation, AnErrorNamesWhereAndHowAProcessEnded)
                                                                                    {orphans, "exit code 0"}}) {
         const RendererOptions options{.device = conduct};
         const auto renderer = drawing->create(options);
+        const auto other = drawing->create(options);
         const std::string why = thrown_by<Error>([&] { drawn(*renderer, bad_scene()); });
         const std::string place = "backend made: device " + std::to_string(conduct);
         for (const std::string& part :
@@ -284,13 +285,14 @@ TEST_F(Isolation, AnErrorNamesWhereAndHowAProcessEnded)
         }
         const std::string before = thrown_by<Error>([&] { opening->create(options); });
         EXPECT_NE(before.find("while opening the device"), std::string::npos) << before;
-        // Afterwards the same renderer renders in a new process.
+        // Afterwards the same renderer renders in a new process. Another renderer of the device is not affected.
         EXPECT_TRUE(drawn(*renderer));
+        EXPECT_TRUE(drawn(*other));
     }
 }
 
 // If SIGCHLD is ignored, the system does not report how processes end.
-TEST_F(Isolation, AnIgnoredSignalHidesNoCrash)
+TEST_F(Isolation, CrashIsReportedIfSigchldIsIgnored)
 {
     std::signal(SIGCHLD, SIG_IGN);
     const auto backend = made(Where::opening);
@@ -316,7 +318,7 @@ TEST_F(Isolation, ADriverThatDisturbsOthersIsAnError)
     }
 }
 
-TEST_F(Isolation, AProcessThatEndsWhileItListsIsAFailureAndNoAbsence)
+TEST_F(Isolation, ProcessThatEndsWhileListingIsAFailure)
 {
     for (const Conduct conduct : {aborts, crashes, exits, leaves, hangs}) {
         const Listing listing = listing_of(*made(Where::listing, conduct));
@@ -326,32 +328,18 @@ TEST_F(Isolation, AProcessThatEndsWhileItListsIsAFailureAndNoAbsence)
     }
 }
 
-TEST_F(Isolation, ACrashDoesNotTakeAnotherRendererOfItsDeviceAlong)
+TEST_F(Isolation, DeviceThatHungIsGivenUpAndAnotherRenders)
 {
     const auto backend = made(Where::drawing);
-    const auto renderer = backend->create({.device = crashes});
-    const auto other = backend->create({.device = crashes});
-    EXPECT_THROW(drawn(*renderer, bad_scene()), Error);
-    EXPECT_TRUE(drawn(*other));
-}
-
-TEST_F(Isolation, ADeviceThatHungIsGivenUp)
-{
-    const auto renderer = made(Where::drawing)->create({.device = hangs});
+    const auto renderer = backend->create({.device = hangs});
     const auto draw = [&] { drawn(*renderer, bad_scene()); };
     EXPECT_EQ(thrown_by<Error>(draw),
               "backend made: device 5: no answer within 0.2 s while drawing (MANDELMARCH_DEVICE_TIMEOUT)");
     EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 5: it did not answer before and was given up");
-}
-
-TEST_F(Isolation, AnotherDeviceDrawsAfterOneHung)
-{
-    const auto backend = made(Where::opening);
-    EXPECT_THROW(backend->create({.device = hangs}), Error);
     EXPECT_TRUE(drawn(*backend->create({.device = draws})));
 }
 
-TEST_F(Isolation, ADriverThatCrashesOrHangsWhileItIsReleasedSpoilsNothing)
+TEST_F(Isolation, CrashOnReleaseDoesNotAffectPictures)
 {
     const auto backend = made(Where::releasing);
     for (const Conduct conduct : {aborts, exits, hangs}) {
@@ -359,7 +347,7 @@ TEST_F(Isolation, ADriverThatCrashesOrHangsWhileItIsReleasedSpoilsNothing)
     }
 }
 
-TEST_F(Isolation, WhatDriversPrintIsNoResult)
+TEST_F(Isolation, OutputOfDriversIsNotOnStandardOutput)
 {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();

@@ -105,14 +105,14 @@ TEST_F(KernelArguments, ARendererKeepsItsMemoryFromPictureToPicture)
     EXPECT_GT(asked_.allocations, taken);
 }
 
-TEST_F(KernelArguments, ARendererGivesItsMemoryBackToTheDeviceThatItIsOf)
+TEST_F(KernelArguments, MemoryIsReleasedOnItsDevice)
 {
     drawn(*created(), 20, 20);
     EXPECT_TRUE(asked_.held.empty());
     EXPECT_FALSE(asked_.outside);
 }
 
-TEST_F(KernelArguments, KernelIsTheDevicesOwnTime)
+TEST_F(KernelArguments, KernelTimeIsByTheDevicesClock)
 {
     const Timings timings = drawn(*created(), 20, 20);
     EXPECT_EQ(asked_.launches, 4);
@@ -139,7 +139,7 @@ TEST_F(KernelArguments, EachBandBeginsWithAllItsPixels)
     EXPECT_EQ(image.bytes()[3 * 10 * 10 + 2], 0) << "second band";
 }
 
-TEST_F(KernelArguments, BandsAreAsLargeAsAsked)
+TEST_F(KernelArguments, BandsHaveTheSizeOfTheOption)
 {
     drawn(*created(200), 20, 20);
     EXPECT_EQ(asked_.launches, 2);

@@ -50,7 +50,7 @@ TEST(ElementaryFunctions, AgreeWithTheLibraryInFloat)
     }
 }
 
-TEST(ElementaryFunctions, WholePowers)
+TEST(ElementaryFunctions, WholePowersAgreeWithTheLibrary)
 {
     for (int n = 1; n < 40; ++n) {
         EXPECT_NEAR(bulb64::raised_real(1.1, n) / std::pow(1.1, n), 1, 1e-13) << n;

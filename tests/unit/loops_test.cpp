@@ -48,7 +48,7 @@ TEST(Loops, NoRayMakesMoreThanTheSchedulesBound)
 
 // Negative control: the official scenes with two iterations reach the bounds exactly, because no orbit near the surface
 // escapes earlier. Therefore smaller bounds are wrong.
-TEST(Loops, OneLessIsTooFew)
+TEST(Loops, BoundsAreReached)
 {
     for (const Fractal& fractal : fractals()) {
         for (const int colouring : {0, 2}) {
@@ -86,7 +86,7 @@ public:
 constexpr std::int64_t survived = 65'000;
 Limits limited(const Scene& scene) { return {.pixels_per_band = 64, .loops = LoopLimit{survived, loops_of(scene)}}; }
 
-TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
+TEST(Loops, PassesTakeHalfOfTheDevicesLimit)
 {
     for (const Fractal& fractal : fractals()) {
         for (const int iterations : {1, 2, 3, 5, 18, 60, 90, 300, 4000}) {
@@ -111,7 +111,7 @@ TEST(Loops, PassesTakeHalfOfWhatADeviceSurvives)
 
 // Each pass of marching reports progress. The progress distinguishes a device that works on a band of many passes from
 // a device that hangs.
-TEST(Loops, EveryPassOfMarchingGivesASignOfLife)
+TEST(Loops, EveryPassOfMarchingReportsProgress)
 {
     Scene scene = official_scene("bulb", 8, 8);
     Noting noting;
@@ -204,7 +204,7 @@ TEST(Loops, TimeDoesNotCutBandsWithConesOrNeighbours)
     EXPECT_EQ(bands_of({}), 185);
 }
 
-TEST(Loops, AConeTakesAtMostHalfOfWhatADeviceSurvives)
+TEST(Loops, ConesTakeHalfOfTheDevicesLimit)
 {
     const Loops loops{.pass = 10, .step = 20, .tried = 0, .refine = 0, .shade = 0};
     const std::int64_t needed = 2 * (loops.pass + most_cone_steps * loops.step);
@@ -212,7 +212,7 @@ TEST(Loops, AConeTakesAtMostHalfOfWhatADeviceSurvives)
     EXPECT_FALSE(cones_fit({needed - 2, loops}));
 }
 
-TEST(Loops, WhatCannotBeCutIntoPassesIsUnavailable)
+TEST(Loops, TooManyIterationsForAPassAreUnavailable)
 {
     Scene scene = official_scene("box", 8, 8);
     scene.iterations = max_iterations;

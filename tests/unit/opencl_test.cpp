@@ -64,15 +64,6 @@ TEST_P(Opencl, FastVectorsDrawThePictureOfTheScalarKernel)
     }
 }
 
-// Negative control: with another detail level, hits are elsewhere.
-TEST_P(Opencl, AnotherSceneHasOtherBits)
-{
-    Scene other = official_scene("box", 301, 37);
-    other.detail -= 0.01;
-    const Image official = render(opencl, official_scene("box", 301, 37), {.precision = GetParam()});
-    EXPECT_FALSE(compare(official, render(opencl, other, {.precision = GetParam()})).same());
-}
-
 INSTANTIATE_TEST_SUITE_P(Precisions, Opencl, testing::Values(Precision::f64, Precision::f32),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 

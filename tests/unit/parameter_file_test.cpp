@@ -181,11 +181,5 @@ TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
     }
 }
 
-TEST(Fractals, ByNameAndNickname)
-{
-    EXPECT_EQ(&fractal_named("bulb"), &fractal_named("mandelbulb"));
-    EXPECT_THROW(fractal_named("no-such-fractal"), InputError);
-}
-
 }  // namespace
 }  // namespace mandelmarch

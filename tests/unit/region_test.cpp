@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Regions, testing::ValuesIn(built({"openmp", "refere
                          [](const auto& test) { return test.param; });
 
 // Negative control: the picture of a region that is one pixel further right is different.
-TEST(Region, OneAsideIsAnother)
+TEST(Region, OnePixelAsideDiffers)
 {
     const Registry registry = all_backends();
     const Scene scene = official_scene(fractals().front(), 75, 61);

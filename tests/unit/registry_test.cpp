@@ -85,7 +85,7 @@ TEST(BackendInfo, PassThroughIsolationWithoutADevice)
     EXPECT_EQ(without_backend("made", "not built")->info().build.compiler, "");
 }
 
-TEST(BackendInfo, EveryBackendThatIsBuiltSaysHow)
+TEST(BackendInfo, EveryBuiltBackendHasCompilerAndFlags)
 {
     const Registry registry = all_backends();
     EXPECT_EQ(registry.with(Role::reference).name(), "reference");

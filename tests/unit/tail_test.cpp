@@ -71,7 +71,7 @@ TEST(Tails, HitTheOfficialSceneInNearlyEverySample)
 }
 
 // Negative control: if the radius at which tails begin is wrong, they begin too near to the spheres or too far out.
-TEST(Tails, WrongRadiiShow)
+TEST(Tails, WrongRadiiChangeEstimates)
 {
     const Scene scene = official_scene("box", 270, 270);
     for (const double factor : {0.5, 2.0}) {
