@@ -135,12 +135,6 @@ is path 3 't["path"]["at"] > 30' True
 "$bin/flythrough" render path-001.json --stills stills --every 30 --size 64x36 >/dev/null 2>stills.err &&
     [ "$(ls stills/*.png | wc -l)" -gt 2 ] || fail "path: no stills: $(cat stills.err)"
 
-# The look of a parameter file stays, also in the official scene. The other scripts begin with the look coral.
-printf '%s\n' 'wait 5' tell 'key Home' 'wait 5' tell 'key F8' 'wait 5' tell >file.txt
-play file "$source/paramsBulb.dat"
-for line in 1 2; do is file $line 't["colouring"]' 1; done
-is file 3 't["said"]' 'look: limestone'
-
 # V shows the views of the folder scenes one after the other, and then the first one again. Their cameras differ.
 rm view-*.dat
 views=("$source"/scenes/*.*.dat)
@@ -159,32 +153,6 @@ for number in $(seq ${#views[@]}); do
 done
 is views $((number + 1)) 't["said"]' "$(basename "${views[0]}" | sed 's/[.]/, /; s/[.].*//')"
 [ "$(camera view-001.dat)" != "$(camera view-002.dat)" ] || fail "views: two views have one camera"
-
-# If panes are narrow, their pictures have a larger field of view. The cameras of the view and of a path do not change.
-rm view-*.dat path-*.json
-printf '%s\n' 'wait 5' tell 'key F9' 'wait 5' tell 'key Ctrl+R' 'key W 40' 'key Ctrl+R' save-path save-view 'key F9' \
-    'wait 5' tell >wide.txt
-play wide --fractal box --size 700x300
-is wide 1 't["shown_field_of_view"] == t["field_of_view"]' True
-is wide 2 't["shown_field_of_view"] > 1.5 * t["field_of_view"]' True
-is wide 3 't["shown_field_of_view"] < 1.1 * t["field_of_view"]' True
-for line in 1 2 3; do is wide $line 't["field_of_view"]' 1.1; done
-[ "$(sed -n 5p view-001.dat)" = 1.1 ] || fail "wide: the saved view has the field of view of a pane"
-cp path-001.json wide.out
-is wide '1,$' 'len(t["frames"]) > 5 and {f["field_of_view"] for f in t["frames"]}' '{1.1}'
-
-# Without a path the paths panel is small. A path and its audit make it larger.
-printf '%s\n' 'wait 5' panel statistics rest 'shoot closed.png' paths 'wait 5' 'shoot empty.png' 'key Ctrl+R' 'key W 40' \
-    'key Ctrl+R' audited rest 'shoot path.png' paths 'wait 5' 'shoot behind.png' >small.txt
-play small --fractal box --size 640x360
-covered() {  # covered A B: prints the percentage of pixels in which two pictures differ
-    "$bin/imgdiff" --json "$1" "$2" |
-        python3 -c 'import json, sys; t = json.load(sys.stdin); print(100 * t["differing_pixels"] // (t["width"] * t["height"]))'
-}
-empty=$(covered closed.png empty.png)
-full=$(covered behind.png path.png)
-[ "$empty" -gt 5 ] && [ "$empty" -lt 25 ] && [ "$full" -gt 25 ] ||
-    fail "small: the paths panel covers $empty % of the window without a path, $full % with one"
 
 # Renders on each backend that has a device, one after the other. Then renders in four panes.
 {
