@@ -264,7 +264,7 @@ TEST(PathFile, IsReadAsItIsWritten)
     EXPECT_NE(json_of(path, audit(path, 0, 0, 50)), json_of(planned(), audit(planned(), 0, 0, 50)));
 }
 
-TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
+TEST(PathFile, PicturesHaveTheIterationsThatTheirPixelsShow)
 {
     Path path = planned();
     ASSERT_TRUE(path.detail_by_size);
@@ -287,7 +287,7 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     EXPECT_EQ(asked.limits.root_share, 0);
 }
 
-TEST(Views, KnowThemselvesAndTheirMirrorImages)
+TEST(Views, AreLikeTheirMirrorImages)
 {
     const DistanceField field(planned().scene, 0);
     const auto view = [&](std::size_t frame) { return view_of(field, planned().frames[frame]); };
