@@ -267,10 +267,8 @@ TEST_F(Isolation, AnErrorNamesWhereAndHowAProcessEnded)
 {
     const auto opening = made(Where::opening);
     const auto drawing = made(Where::drawing);
-    for (const auto& [conduct, how] : std::vector<std::pair<Conduct, std::string>>{{aborts, "signal 6"},
-                                                                                   {crashes, "signal 11"},
-                                                                                   {exits, "exit code 0"},
-                                                                                   {orphans, "exit code 0"}}) {
+    for (const auto& [conduct, how] : std::vector<std::pair<Conduct, std::string>>{
+             {aborts, "signal 6"}, {crashes, "signal 11"}, {exits, "exit code 0"}, {orphans, "exit code 0"}}) {
         const RendererOptions options{.device = conduct};
         const auto renderer = drawing->create(options);
         const std::string why = thrown_by<Error>([&] { drawn(*renderer, bad_scene()); });
