@@ -8,7 +8,7 @@
 #include "flight/field/field.h"
 #include "flight/plan/planner.h"
 #include "flight/plan/random.h"
-#include "tests/flight/refusal.h"
+#include "tests/refusal.h"
 #include "tests/flight/rows.h"
 #include "tests/scenes.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "flight/film/title.h"
-#include "tests/flight/refusal.h"
+#include "tests/refusal.h"
 
 namespace mandelmarch {
 namespace {

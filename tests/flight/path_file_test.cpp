@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "flight/path/path.h"
-#include "tests/flight/refusal.h"
+#include "tests/refusal.h"
 
 namespace mandelmarch {
 namespace {

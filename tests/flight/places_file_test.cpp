@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "flight/path/places.h"
-#include "tests/flight/refusal.h"
+#include "tests/refusal.h"
 
 namespace mandelmarch {
 namespace {

@@ -11,7 +11,7 @@
 #include "flight/plan/gaze.h"
 #include "flight/plan/planner.h"
 #include "flight/plan/visits.h"
-#include "tests/flight/refusal.h"
+#include "tests/refusal.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
