@@ -281,10 +281,10 @@ TEST(PathFile, PicturesHaveTheIterationsThatTheirPixelsShow)
     EXPECT_EQ(picture_of(path, path.frames[0], 1920, 1080).iterations, 50);
     path.detail_by_size = false;
     path.scene.iterations = 100;
-    const Scene asked = picture_of(path, path.frames[1], 1920, 1080);
-    EXPECT_EQ(asked.iterations, 100);
-    EXPECT_EQ(asked.limits.step_factor, plain_step_factor);
-    EXPECT_EQ(asked.limits.root_share, 0);
+    const Scene given = picture_of(path, path.frames[1], 1920, 1080);
+    EXPECT_EQ(given.iterations, 100);
+    EXPECT_EQ(given.limits.step_factor, plain_step_factor);
+    EXPECT_EQ(given.limits.root_share, 0);
 }
 
 TEST(Views, AreLikeTheirMirrorImages)

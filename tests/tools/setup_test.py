@@ -44,7 +44,7 @@ class SetupTest(ToolTest):
             self.assertIn("apt-get update", calls)
 
     def test_a_package_that_a_debian_lacks_is_named(self):
-        # All packages are installed, except that apt-cache knows base-files only, and the offloading compiler is missing.
+        # All packages are installed, except that apt-cache has base-files only, and the offloading compiler is missing.
         self.write("dpkg-query", "#!/bin/sh\ncase $* in *gcc-offload-nvptx*) ;; *) echo installed ;; esac\n")
         self.write("apt-cache", "#!/bin/sh\n[ \"$2\" = base-files ]\n")
         code, said, calls = self.run_on("ID=debian\n", "build")
