@@ -19,14 +19,9 @@
 namespace mandelmarch {
 namespace {
 
-// Quotes text of the user for a message. Replaces characters that are not printable ASCII, and cuts long texts.
-std::string quoted(std::string_view text)
-{
-    constexpr std::size_t most = 40;
-    std::string shown;
-    for (const char c : text.substr(0, most)) shown += c >= ' ' && c <= '~' ? c : '?';
-    return "'" + shown + (text.size() > most ? "'..." : "'");
-}
+constexpr std::size_t longest_quote = 40;  // bytes of the user's text in a message
+
+std::string quoted(std::string_view text) { return fmt::format("'{}'", printable(text, longest_quote)); }
 
 // Removes a comment. It begins with a # that is the first character of the line or follows a blank.
 std::string_view without_comment(std::string_view line)

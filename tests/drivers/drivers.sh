@@ -42,7 +42,7 @@ refused() {
 
 # both FAULT OPTION...: renders without and with the fault. same FAULT OPTION...: expects the same picture.
 both() {
-    patience= expect 0 draw none "${@:2}"
+    patience='' expect 0 draw none "${@:2}"
     mv picture.exr expected.exr
     expect 0 draw "$@"
 }

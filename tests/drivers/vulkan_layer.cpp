@@ -27,7 +27,6 @@ namespace {
 
 using namespace mandelmarch::drivers;
 using mandelmarch::Rewritten;
-using mandelmarch::without_division;
 
 using Functions = std::map<std::string_view, PFN_vkVoidFunction>;
 
@@ -167,8 +166,8 @@ VkResult create_shader_module(VkDevice device, const VkShaderModuleCreateInfo* i
     std::vector<std::uint32_t> words(info->pCode, info->pCode + info->codeSize / 4);
     if (has_fault("float_units")) words = Rewritten(words).off_by_a_unit();
     if (has_fault("contraction")) words = Rewritten(words).contracted();
-    if (has_fault("float_division")) words = without_division(words, 32);
-    if (has_fault("double_division")) words = without_division(words, 64);
+    if (has_fault("float_division")) words = Rewritten(words).without_division(32);
+    if (has_fault("double_division")) words = Rewritten(words).without_division(64);
     if (driver_faults("build")) return VK_ERROR_INITIALIZATION_FAILED;
     changed.codeSize = 4 * words.size();
     changed.pCode = words.data();

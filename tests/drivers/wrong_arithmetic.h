@@ -2,6 +2,8 @@
 // Modifies SPIR-V modules to simulate devices that do not compute as IEEE 754 requires.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -10,37 +12,34 @@
 
 namespace mandelmarch {
 
-// Returns the module with each division of floating-point numbers of `bits` bits replaced by a multiplication. Opcodes
-// are from the SPIR-V specification, section 3.49.
-inline std::vector<std::uint32_t> without_division(std::vector<std::uint32_t> words, std::uint32_t bits)
-{
-    constexpr std::uint32_t type_float = 22;
-    constexpr std::uint32_t multiply = 133;
-    constexpr std::uint32_t divide = 136;
-    std::uint32_t type = 0;
-    for (std::size_t at = 5; at < words.size(); at += words[at] >> 16) {
-        const std::uint32_t opcode = words[at] & 0xffff;
-        if (opcode == type_float && words[at + 2] == bits) type = words[at + 1];
-        if (opcode == divide && words[at + 1] == type) words[at] = (words[at] & 0xffff0000) | multiply;
-    }
-    return words;
-}
+using Words = std::vector<std::uint32_t>;
 
 // Makes copies of a SPIR-V module in which some instructions are replaced by others. Opcodes are from the SPIR-V
 // specification, section 3.49.
 class Rewritten {
 public:
-    explicit Rewritten(const std::vector<std::uint32_t>& words) : from_(words) {}
+    explicit Rewritten(const Words& words) : from_(words) {}
+
+    // Returns the module with each division of floating-point numbers of `bits` bits replaced by a multiplication.
+    Words without_division(std::uint32_t bits) const
+    {
+        Words words = from_;
+        std::uint32_t type = 0;
+        for (std::size_t at = 5; at < words.size(); at += words[at] >> 16) {
+            const std::uint32_t opcode = words[at] & 0xffff;
+            if (opcode == type_float && words[at + 2] == bits) type = words[at + 1];
+            if (opcode == divide && words[at + 1] == type) words[at] = (words[at] & 0xffff0000) | multiply;
+        }
+        return words;
+    }
 
     // Returns the module with every result of a float division or square root multiplied by 1 + 2^-23.
-    std::vector<std::uint32_t> off_by_a_unit()
+    Words off_by_a_unit()
     {
-        if (has_double()) return from_;
         return rewritten([&](std::size_t at, std::uint32_t opcode) {
             const bool is_root = opcode == ext_inst && from_[at + 4] == sqrt;
             if ((opcode != divide && !is_root) || from_[at + 1] != float_type_) return false;
-            std::vector<std::uint32_t> first(from_.begin() + static_cast<std::ptrdiff_t>(at),
-                                             from_.begin() + static_cast<std::ptrdiff_t>(at + (from_[at] >> 16)));
+            Words first = instruction(at);
             const std::uint32_t result = first[2];
             first[2] = fresh();
             add(first);
@@ -50,9 +49,8 @@ public:
     }
 
     // Returns the module with every addition of a float product computed in double and rounded once.
-    std::vector<std::uint32_t> contracted()
+    Words contracted()
     {
-        if (has_double()) return from_;
         return rewritten([&](std::size_t at, std::uint32_t opcode) {
             if (opcode == multiply && from_[at + 1] == float_type_) {
                 products_[from_[at + 2]] = {from_[at + 3], from_[at + 4]};
@@ -81,16 +79,19 @@ private:
     static constexpr std::uint32_t sqrt = 31;     // of the instruction set GLSL.std.450
     static constexpr std::uint32_t float64 = 10;  // the capability for double
 
+    // Replaces instructions by those that change() adds. Does not change a module with double, because it would declare
+    // that type a second time.
     template <class Change>
-    std::vector<std::uint32_t> rewritten(Change change)
+    Words rewritten(Change change)
     {
+        const std::array with_double{2U << 16 | capability, float64};
+        if (!std::ranges::search(from_, with_double).empty()) return from_;
         to_.assign(from_.begin(), from_.begin() + 5);
         add({2U << 16 | capability, float64});
         for (std::size_t at = 5; at < from_.size(); at += from_[at] >> 16) {
             const std::uint32_t opcode = from_[at] & 0xffff;
             if (change(at, opcode)) continue;
-            add({from_.begin() + static_cast<std::ptrdiff_t>(at),
-                 from_.begin() + static_cast<std::ptrdiff_t>(at + (from_[at] >> 16))});
+            add(instruction(at));
             if (opcode != type_float || from_[at + 2] != 32) continue;
             float_type_ = from_[at + 1];
             unit_more_ = fresh();
@@ -101,17 +102,8 @@ private:
         return to_;
     }
 
-    // Returns true if the module declares a 64-bit type. Such modules are not changed, because the changes would
-    // declare that type a second time.
-    bool has_double() const
-    {
-        for (std::size_t at = 5; at < from_.size(); at += from_[at] >> 16) {
-            if ((from_[at] & 0xffff) == type_float && from_[at + 2] == 64) return true;
-        }
-        return false;
-    }
-
-    void add(const std::vector<std::uint32_t>& words) { to_.insert(to_.end(), words.begin(), words.end()); }
+    Words instruction(std::size_t at) const { return {&from_[at], &from_[at] + (from_[at] >> 16)}; }
+    void add(const Words& words) { to_.insert(to_.end(), words.begin(), words.end()); }
     std::uint32_t fresh() { return to_[3]++; }  // returns an unused id; word 3 is the bound of the module's ids
     std::uint32_t widened(std::uint32_t number)
     {
@@ -120,8 +112,8 @@ private:
         return wide;
     }
 
-    const std::vector<std::uint32_t>& from_;
-    std::vector<std::uint32_t> to_;
+    const Words& from_;
+    Words to_;
     std::uint32_t float_type_ = 0, double_type_ = 0, unit_more_ = 0;
     std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> products_;  // float products and their factors
 };

@@ -87,7 +87,7 @@ TEST(ExploreMotion, AFlightThroughWallsIsInside)
     EXPECT_LE(clearance_after_a_minute(motion, scene), 0);
 }
 
-TEST(ExploreSight, SaysWhatAPictureCannotShow)
+TEST(ExploreSight, ReportsWhatAPictureCannotShow)
 {
     Scene scene = official("bulb");
     const double clearance = Motion().clearance(scene);

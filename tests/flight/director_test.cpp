@@ -129,7 +129,7 @@ TEST(Director, AvoidsADirectionNearItsFrame)
     EXPECT_LT(degrees_between(usual[290], other[290]), 1e-6);
 }
 
-TEST(Director, KnowsHowFarThePictureMoves)
+TEST(Director, EstimatesHowFarThePictureMoves)
 {
     const Passing way;
     const Director director(way.shapes, way.track);

@@ -2,8 +2,8 @@
 // Invalid path files give an error of one line, with the place and the fault.
 #include <gtest/gtest.h>
 
-#include "core/base/error.h"
 #include "flight/path/path.h"
+#include "tests/refusal.h"
 
 namespace mandelmarch {
 namespace {
@@ -24,27 +24,17 @@ std::string with(const std::string& from, const std::string& to)
     return changed.replace(at, from.size(), to);
 }
 
-std::string refusal(const std::string& changed)
-{
-    try {
-        path_from_text(changed, "a.json");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
-
 // Replaces `from` by `to` in the text of a valid path file, and checks the error message for the result.
 void says(const std::string& from, const std::string& to, const std::string& message)
 {
-    const std::string said = refusal(with(from, to));
-    EXPECT_TRUE(said.starts_with("a.json: ")) << said;
-    EXPECT_NE(said.find(message), std::string::npos) << said;
-    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
-    EXPECT_LT(said.size(), 600U) << said.substr(0, 600);
+    const std::string refusal = refusal_of([&] { path_from_text(with(from, to), "a.json"); });
+    EXPECT_TRUE(refusal.starts_with("a.json: ")) << refusal;
+    EXPECT_NE(refusal.find(message), std::string::npos) << refusal;
+    EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
+    EXPECT_LT(refusal.size(), 600U) << refusal.substr(0, 600);
 }
 
-TEST(PathFile, SaysWhatIsWrong)
+TEST(PathFile, ErrorNamesThePlaceAndTheFault)
 {
     says("mandelmarch path 1", "something", "format");
     says("\"mandelbulb\"", "\"mandelbub\"", "mandelbub");
@@ -62,7 +52,7 @@ TEST(PathFile, SaysWhatIsWrong)
 
 // A path file names the estimate with which it was planned. Older files name none: they were planned with the original
 // estimate.
-TEST(PathFile, KnowsTheEstimateThatItWasPlannedBy)
+TEST(PathFile, HasTheEstimateOfItsPlan)
 {
     EXPECT_FALSE(path_from_text(text, "a.json").scene.conservative);
     EXPECT_FALSE(
@@ -101,7 +91,7 @@ TEST(PathFile, KeepsItsRate)
 }
 
 // A path file may contain anything. Deep nesting must not exhaust the stack, and messages must not quote megabytes.
-TEST(PathFile, MayBeAnything)
+TEST(PathFile, DeepAndLongTextsAreRefused)
 {
     const std::string deep(300'000, '[');
     says("\"location\": [4, 3, 3]", "\"location\": " + deep, "deep");

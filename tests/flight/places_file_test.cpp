@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/error.h"
 #include "flight/path/places.h"
+#include "tests/refusal.h"
 
 namespace mandelmarch {
 namespace {
@@ -44,16 +44,16 @@ TEST(PlacesFile, IsReadAsSpreadsheetsWriteIt)
     std::ranges::replace(other, ',', ';');
     std::ranges::replace(other, '.', ',');
     for (std::size_t at = 0; (at = other.find('\n', at)) != std::string::npos; at += 2) other.insert(at, "\r");
-    const Place want = places_from_text(text, "a.csv").all.front();
+    const Place expected = places_from_text(text, "a.csv").all.front();
     const Place got = places_from_text(other, "a.csv").all.front();
-    EXPECT_EQ(want.eye, got.eye);
-    EXPECT_EQ(want.second, got.second);
+    EXPECT_EQ(expected.eye, got.eye);
+    EXPECT_EQ(expected.second, got.second);
     EXPECT_EQ(got.eye.x, 1.5);
 }
 
 TEST(PlacesFile, ColumnsAreFoundByTheirNames)
 {
-    const Place want = places_from_text(head + "1,2,3,0,0,0.5,20,1\n", "a.csv").all.front();
+    const Place expected = places_from_text(head + "1,2,3,0,0,0.5,20,1\n", "a.csv").all.front();
     for (const char* text : {
              "\"location_x\",\"location_y\",location_z,look_at_x,look_at_y,look_at_z,second,stay\n\"1\",2,3,0,0,0.5,20,"
              "1\n",
@@ -63,7 +63,7 @@ TEST(PlacesFile, ColumnsAreFoundByTheirNames)
          }) {
         const Place got = places_from_text(text, "a.csv").all.front();
         EXPECT_EQ(std::tie(got.eye, got.target, got.second, got.stay, got.line),
-                  std::tie(want.eye, want.target, want.second, want.stay, want.line))
+                  std::tie(expected.eye, expected.target, expected.second, expected.stay, expected.line))
             << text;
     }
 }
@@ -104,13 +104,9 @@ TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
              {"tuor", "a.csv:2: location_x is 'tuor'"},
              {"tour", "a.csv: no places"},
          }) {
-        try {
-            places_from_text(head + lines + "\n", "a.csv");
-            ADD_FAILURE() << lines;
-        } catch (const InputError& error) {
-            EXPECT_TRUE(std::string(error.what()).starts_with(message)) << error.what();
-            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-        }
+        const std::string refusal = refusal_of([&] { places_from_text(head + lines + "\n", "a.csv"); });
+        EXPECT_TRUE(refusal.starts_with(message)) << refusal;
+        EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
     }
     for (const auto& [text, message] : {
              std::pair<std::string, const char*>{"", "a.csv:1: the table is empty, expected the header location_x,"},
@@ -121,27 +117,16 @@ TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
              {"\xff\xfe" + head, "a.csv: UTF-16 or no text"},
              {std::string("l\0o\0", 4), "a.csv: UTF-16 or no text"},
          }) {
-        try {
-            places_from_text(text, "a.csv");
-            ADD_FAILURE() << text;
-        } catch (const InputError& error) {
-            EXPECT_TRUE(std::string(error.what()).starts_with(message)) << error.what();
-        }
+        const std::string refusal = refusal_of([&] { places_from_text(text, "a.csv"); });
+        EXPECT_TRUE(refusal.starts_with(message)) << refusal;
     }
 }
 
 TEST(PlacesFile, EmptyFileHasNoHeaderAndAFolderCannotBeRead)
 {
-    const auto message = [](const std::string& file) -> std::string {
-        try {
-            read_places(file);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
-    };
-    EXPECT_TRUE(message("/dev/null").starts_with("/dev/null:1: the table is empty")) << message("/dev/null");
-    EXPECT_EQ(message("/"), "/: Is a directory, expected a places file");
+    const std::string empty = refusal_of([] { read_places("/dev/null"); });
+    EXPECT_TRUE(empty.starts_with("/dev/null:1: the table is empty")) << empty;
+    EXPECT_EQ(refusal_of([] { read_places("/"); }), "/: Is a directory, expected a places file");
 }
 
 }  // namespace

@@ -264,7 +264,7 @@ TEST(PathFile, IsReadAsItIsWritten)
     EXPECT_NE(json_of(path, audit(path, 0, 0, 50)), json_of(planned(), audit(planned(), 0, 0, 50)));
 }
 
-TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
+TEST(PathFile, PicturesHaveTheIterationsThatTheirPixelsShow)
 {
     Path path = planned();
     ASSERT_TRUE(path.detail_by_size);
@@ -281,13 +281,13 @@ TEST(PathFile, PicturesAskForWhatTheirPixelsShow)
     EXPECT_EQ(picture_of(path, path.frames[0], 1920, 1080).iterations, 50);
     path.detail_by_size = false;
     path.scene.iterations = 100;
-    const Scene asked = picture_of(path, path.frames[1], 1920, 1080);
-    EXPECT_EQ(asked.iterations, 100);
-    EXPECT_EQ(asked.limits.step_factor, plain_step_factor);
-    EXPECT_EQ(asked.limits.root_share, 0);
+    const Scene given = picture_of(path, path.frames[1], 1920, 1080);
+    EXPECT_EQ(given.iterations, 100);
+    EXPECT_EQ(given.limits.step_factor, plain_step_factor);
+    EXPECT_EQ(given.limits.root_share, 0);
 }
 
-TEST(Views, KnowThemselvesAndTheirMirrorImages)
+TEST(Views, AreLikeTheirMirrorImages)
 {
     const DistanceField field(planned().scene, 0);
     const auto view = [&](std::size_t frame) { return view_of(field, planned().frames[frame]); };

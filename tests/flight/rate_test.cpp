@@ -76,7 +76,7 @@ TEST_P(Rates, PromisesHoldBySecond)
 
 INSTANTIATE_TEST_SUITE_P(Of, Rates, testing::Values(24, 25, 50, 60, 120));
 
-TEST(Rate, ItsOwnChangesNothing)
+TEST(Rate, TheRateOfAPathChangesNothing)
 {
     const Path path = circle(90);
     EXPECT_EQ(to_text(at_rate(path, 90, frames_per_second)), to_text(path));

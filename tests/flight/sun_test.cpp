@@ -41,7 +41,7 @@ Vector sun_in(const Path& path, std::size_t frame, const std::string& more)
 
 double degrees_between(Vector a, Vector b) { return std::acos(std::min(1.0, dot(a, b))) * 180 / std::numbers::pi; }
 
-TEST(Sun, TurnsWithTheWayOnlyIfTheLookSaysSo)
+TEST(Sun, TurnsWithTheWayOnlyIfTheLookRequiresIt)
 {
     const Path path = turning();
     EXPECT_EQ(sun_in(path, 0, ""), sun_in(path, frames - 1, ""));

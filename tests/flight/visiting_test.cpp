@@ -6,12 +6,12 @@
 #include <cmath>
 #include <regex>
 
-#include "core/base/error.h"
 #include "flight/audit/audit.h"
 #include "flight/path/places.h"
 #include "flight/plan/gaze.h"
 #include "flight/plan/planner.h"
 #include "flight/plan/visits.h"
+#include "tests/refusal.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
@@ -98,12 +98,8 @@ std::string refusal(const std::string& lines)
     static const Scene box = official_scene("box", 16, 9);
     static const Shapes shapes(box, 0, 0);
     static const RoadmapSet roads(shapes, {});
-    try {
-        visits_of(places(lines), roads.stretches(1).front(), 0.0034 * shapes.field().bounds().size, 9000);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_of(
+        [&] { visits_of(places(lines), roads.stretches(1).front(), 0.0034 * shapes.field().bounds().size, 9000); });
 }
 
 TEST(Visits, PlaceOutOfReachIsNamedWithTheNearestInReach)
@@ -128,13 +124,9 @@ TEST(Visits, ViewOfTheSkyIsNamedWithTheNearestViewOfTheFractal)
 
 TEST(Visits, PlaceThatComesTooSoonOrTooLateIsNamedWithTheTimeOfTheArrival)
 {
-    const auto message = [](const std::string& lines, int most) -> std::string {
-        try {
-            plan(official_scene("box", 16, 9), {}, 3, most, 0, {}, 0, places(lines));
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+    const Scene box = official_scene("box", 16, 9);
+    const auto message = [&](const std::string& lines, int most) {
+        return refusal_of([&] { plan(box, {}, 3, most, 0, {}, 0, places(lines)); });
     };
     const std::string soon = message(ravine + "0,1\n" + terraces + "2,1\n", frames);
     EXPECT_TRUE(soon.starts_with("places.csv:3: second is 2, but the flight arrives only at ")) << soon;
@@ -142,16 +134,8 @@ TEST(Visits, PlaceThatComesTooSoonOrTooLateIsNamedWithTheTimeOfTheArrival)
     EXPECT_EQ(after_end, "places.csv:3: second is 60, but the film has 60 s, expected less or more frames");
     const std::string late = message(ravine + "0,1\n" + terraces + "300,1\n", 10'000);
     EXPECT_TRUE(late.starts_with("places.csv:3: second is 300, but the flight arrives as early as ")) << late;
-    const std::string changing = [] {
-        const Scene box = official_scene("box", 16, 9);
-        try {
-            plan(box, parse_schedule("scale", "2:2.1", box, frames), 3, frames, 0, {}, 0, given());
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
-    }();
-    EXPECT_EQ(changing, "places.csv: the shape changes in flight, expected a constant shape");
+    const auto change = [&] { plan(box, parse_schedule("scale", "2:2.1", box, frames), 3, frames, 0, {}, 0, given()); };
+    EXPECT_EQ(refusal_of(change), "places.csv: the shape changes in flight, expected a constant shape");
 }
 
 }  // namespace

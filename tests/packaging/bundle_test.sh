@@ -35,7 +35,7 @@ test_bundle() {
         grep -q "^lib/$name	" "$bundle/MANIFEST.tsv" || echo "$name"
     done >bad
     [ -s bad ] && fail "not in MANIFEST.tsv: $(cat bad)"
-    grep -qE 'glibc 2\.[0-9]+ or newer' "$bundle/README.md" || fail "README.md does not say which glibc it wants"
+    grep -qE 'glibc 2\.[0-9]+ or newer' "$bundle/README.md" || fail "README.md does not name the glibc that it needs"
     grep -q '@' "$bundle/README.md" && fail "README.md: $(grep -m1 '@' "$bundle/README.md")"
 
     # Each program starts by its own name and as `mandelmarch PROGRAM`. Pictures have the same bits as those of the build.

@@ -60,7 +60,7 @@ sys.exit(data["runs"] != 2 or samples != {8} or not data["peaks"])' || fail "the
     grep -qE '^openacc +failed .*no GPU: .*last words: libgomp' out-all/summary.txt || fail "the broken backend: $(cat out)"
     grep -qE '^acc-cold +failed' out-all/summary.txt || fail "the broken backend's first start: $(cat out)"
     grep -qE '^film +late' out-all/summary.txt || fail "the step that hangs: $(cat out)"
-    grep -qE '^omptarget|^standard' out-all/summary.txt && fail "a step that nobody asked for: $(cat out)"
+    grep -qE '^omptarget|^standard' out-all/summary.txt && fail "a step that was not selected: $(cat out)"
     [ "$(ls out-all)" = "$(printf 'results.tgz\nsummary.txt')" ] || fail "what comes home: $(ls out-all)"
     results out-all driver-openacc.txt >log
     grep -q 'libgomp: cuLinkComplete error' log || fail "the driver's log lacks the failure: $(tail -3 log)"
@@ -85,7 +85,7 @@ sys.exit(data["runs"] != 2 or samples != {8} or not data["peaks"])' || fail "the
     sed -i 's/^./x/' gpu-check/gpu_check.sha256
     check bin out-bits cuda && fail "other bits are not seen"
     grep -qE '^cuda +failed .*OTHER BITS in 6 pictures' out-bits/summary.txt || fail "of other bits it says: $(cat out)"
-    [ "$(wc -l <out-bits/summary.txt)" = 1 ] || fail "one step was asked for: $(cat out)"
+    [ "$(wc -l <out-bits/summary.txt)" = 1 ] || fail "one step was selected: $(cat out)"
     cp "$source"/packaging/gpu_check.sha256 gpu-check
 
     # A second run executes only the steps that have not passed yet. If it is stopped, no process remains.

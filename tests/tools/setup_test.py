@@ -29,14 +29,14 @@ class SetupTest(ToolTest):
                               check=False)
         return done.returncode, done.stderr, self.read("calls") if os.path.exists(self.path("calls")) else ""
 
-    def test_another_system_is_told_what_is_needed_and_left_alone(self):
+    def test_another_system_gets_a_list_and_no_packages(self):
         for system in ("NAME=Ubuntu\nID=ubuntu\nID_LIKE=debian\n", "ID=fedora\n", ""):
             code, said, calls = self.run_on(system)
             self.assertEqual((code, said.count("\n"), calls), (0, 1, ""), system)
             self.assertIn(" ninja-build ", said)
             self.assertIn("kokkos", said)
 
-    def test_on_debian_packages_are_asked_for(self):
+    def test_on_debian_apt_get_installs_packages(self):
         for system in ("ID=debian\n", 'PRETTY_NAME="x"\nID="debian"\n'):
             code, said, calls = self.run_on(system)
             self.assertEqual(code, 1)
@@ -44,13 +44,13 @@ class SetupTest(ToolTest):
             self.assertIn("apt-get update", calls)
 
     def test_a_package_that_a_debian_lacks_is_named(self):
-        # All packages are installed, except that apt-cache knows base-files only, and the offloading compiler is missing.
+        # All packages are installed, except that apt-cache has base-files only, and the offloading compiler is missing.
         self.write("dpkg-query", "#!/bin/sh\ncase $* in *gcc-offload-nvptx*) ;; *) echo installed ;; esac\n")
         self.write("apt-cache", "#!/bin/sh\n[ \"$2\" = base-files ]\n")
         code, said, calls = self.run_on("ID=debian\n", "build")
         self.assertEqual((code, said, calls), (0, "setup: this Debian has no package gcc-offload-nvptx: what needs it is left out\n", ""))
 
-    def test_what_is_missing_is_said_without_installing(self):
+    def test_missing_packages_are_listed_without_installing(self):
         code, said, calls = self.run_on("ID=debian\n", "--check", "build")
         self.assertEqual((code, said.count("\n")), (1, 1))
         self.assertNotIn("apt-get", calls)

@@ -28,6 +28,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/input_file.h"
+#include "tests/refusal.h"
 
 namespace mandelmarch {
 namespace {
@@ -281,12 +282,7 @@ class InputFiles : public OutputFiles {
 protected:
     std::string refusal(const std::string& name, std::size_t most = largest_text) const
     {
-        try {
-            text_of_file(name, "story", most);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return refusal_of([&] { text_of_file(name, "story", most); });
     }
 };
 

@@ -26,6 +26,7 @@
 #include "core/image/averaged.h"
 #include "core/image/compare.h"
 #include "core/image/formats/image_file.h"
+#include "tests/refusal.h"
 
 namespace mandelmarch {
 namespace {

@@ -29,7 +29,6 @@ enum Conduct : int {
     aborts,
     crashes,
     exits,
-    leaves,
     hangs,
     refuses,
     lacks,
@@ -54,7 +53,6 @@ void misbehave(Conduct conduct)
             raise(SIGSEGV);
             break;
         case exits: std::exit(0);
-        case leaves: std::_Exit(0);
         case hangs:
             for (;;) pause();
         case refuses: throw Error("the driver refuses");
@@ -269,11 +267,8 @@ TEST_F(Isolation, ProcessThatEndsIsAnErrorWithStageAndCause)
 {
     const auto opening = made(Where::opening);
     const auto drawing = made(Where::drawing);
-    for (const auto& [conduct, how] : std::vector<std::pair<Conduct, std::string>>{{aborts, "signal 6"},
-                                                                                   {crashes, "signal 11"},
-                                                                                   {exits, "exit code 0"},
-                                                                                   {leaves, "exit code 0"},
-                                                                                   {orphans, "exit code 0"}}) {
+    for (const auto& [conduct, how] : std::vector<std::pair<Conduct, std::string>>{
+             {aborts, "signal 6"}, {crashes, "signal 11"}, {exits, "exit code 0"}, {orphans, "exit code 0"}}) {
         const RendererOptions options{.device = conduct};
         const auto renderer = drawing->create(options);
         const auto other = drawing->create(options);
@@ -320,7 +315,7 @@ TEST_F(Isolation, ADriverThatDisturbsOthersIsAnError)
 
 TEST_F(Isolation, ProcessThatEndsWhileListingIsAFailure)
 {
-    for (const Conduct conduct : {aborts, crashes, exits, leaves, hangs}) {
+    for (const Conduct conduct : {aborts, exits, hangs}) {
         const Listing listing = listing_of(*made(Where::listing, conduct));
         EXPECT_NE(listing.failure, "");
         EXPECT_EQ(listing.unavailable, "");
@@ -334,8 +329,8 @@ TEST_F(Isolation, DeviceThatHungIsGivenUpAndAnotherRenders)
     const auto renderer = backend->create({.device = hangs});
     const auto draw = [&] { drawn(*renderer, bad_scene()); };
     EXPECT_EQ(thrown_by<Error>(draw),
-              "backend made: device 5: no answer within 0.2 s while drawing (MANDELMARCH_DEVICE_TIMEOUT)");
-    EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 5: it did not answer before and was given up");
+              "backend made: device 4: no answer within 0.2 s while drawing (MANDELMARCH_DEVICE_TIMEOUT)");
+    EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 4: it did not answer before and was given up");
     EXPECT_TRUE(drawn(*backend->create({.device = draws})));
 }
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "backends/openmp/openmp.h"
-#include "core/base/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
+#include "tests/refusal.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
@@ -18,12 +18,7 @@ namespace {
 
 std::string error_of(const std::string& text)
 {
-    try {
-        parse_look(text, "a.look");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_of([&] { parse_look(text, "a.look"); });
 }
 
 std::vector<std::uint8_t> picture_of(const Backend& openmp, Scene scene, const LookValues& look)

@@ -6,9 +6,9 @@
 #include <regex>
 #include <sstream>
 
-#include "core/base/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "tests/refusal.h"
 
 namespace mandelmarch {
 namespace {
@@ -40,12 +40,7 @@ Scene parse(const std::string& text, const char* fractal = "bulb")
 // Returns the message of the InputError for `text`; empty if it is accepted.
 std::string refusal(const std::string& text, const char* fractal)
 {
-    try {
-        parse(text, fractal);
-        return {};
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return refusal_of([&] { parse(text, fractal); });
 }
 
 struct BadLine {
@@ -173,12 +168,8 @@ TEST(ParameterFile, AnotherFractalsFileIsWarnedOf)
     }
     const std::string low_power = joined(with(bulb_lines, 7, "0 2 2.5"));
     EXPECT_TRUE(parse_parameters(low_power, "x.dat", fractal_named("bulb")).warnings.empty());
-    try {
-        parse_parameters(fractal_named("bulb").official, "x.dat", fractal_named("box"));
-        ADD_FAILURE() << "a Mandelbulb's file for the Mandelbox";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("reads as one of a mandelbulb"), std::string::npos) << error.what();
-    }
+    const std::string other = refusal(std::string(fractal_named("bulb").official), "box");
+    EXPECT_NE(other.find("reads as one of a mandelbulb"), std::string::npos) << other;
 }
 
 }  // namespace
