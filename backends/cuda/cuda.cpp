@@ -38,7 +38,9 @@ public:
     std::string_view name() const override { return MANDELMARCH_GPU_MODEL; }
     BackendInfo info() const override
     {
-        return {.has_driver = true,
+        return {.title = std::string_view(MANDELMARCH_GPU_MODEL) == "hip" ? "HIP" : "CUDA",
+                .distribution = "one GPU thread per pixel, with the same kernels as openacc",
+                .has_driver = true,
                 .block_size = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }

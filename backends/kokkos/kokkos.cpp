@@ -54,7 +54,9 @@ public:
     std::string_view name() const override { return "kokkos"; }
     BackendInfo info() const override
     {
-        return {.build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+        return {.title = "Kokkos",
+                .distribution = "the model's own loop over the pixels of a band, one after the other in each thread",
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return {kokkos::drawing, kokkos::chains}; }
 

@@ -101,7 +101,11 @@ public:
     std::string_view name() const override { return "omptarget"; }
     BackendInfo info() const override
     {
-        return {.has_driver = true,
+        return {.title = "OpenMP target directives",
+                .distribution =
+                    "one GPU thread per pixel, with the same kernels as openacc; on the host, its "
+                    "threads share the pixels",
+                .has_driver = true,
                 .threads = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }

@@ -62,7 +62,12 @@ public:
     std::string_view name() const override { return "openacc"; }
     BackendInfo info() const override
     {
-        return {.role = Role::accelerator,
+        return {.title = "OpenACC",
+                .distribution =
+                    "one GPU thread per pixel, or threads that take pixels from a queue if lanes refill; "
+                    "128 threads per block; one kernel after the other per band of the picture: cones "
+                    "(in fast mode), march, shade, bytes",
+                .role = Role::accelerator,
                 .has_driver = true,
                 .gpus = gpu_kind,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};

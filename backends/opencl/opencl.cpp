@@ -182,7 +182,9 @@ public:
     std::string_view name() const override { return "opencl"; }
     BackendInfo info() const override
     {
-        return {.has_driver = true,
+        return {.title = "OpenCL",
+                .distribution = "one work item per pixel on a GPU, per strip of pixels (in vectors) on a CPU",
+                .has_driver = true,
                 .simd_width = true,
                 .band = true,
                 .block_size = true,

@@ -243,7 +243,11 @@ public:
     std::string_view name() const override { return "openmp"; }
     BackendInfo info() const override
     {
-        return {.role = Role::host,
+        return {.title = "OpenMP",
+                .distribution =
+                    "each thread takes tiles of 16 x 16 pixels from a shared counter; within a thread, "
+                    "packs of SIMD lanes with ended rays replaced",
+                .role = Role::host,
                 .threads = true,
                 .simd_width = true,
                 .chunk = true,

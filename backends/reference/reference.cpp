@@ -265,7 +265,9 @@ public:
     std::string_view name() const override { return "reference"; }
     BackendInfo info() const override
     {
-        return {.role = Role::reference,
+        return {.title = "serial reference",
+                .distribution = "one thread, pixel after pixel",
+                .role = Role::reference,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override { return std::nullopt; }

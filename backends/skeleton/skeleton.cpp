@@ -105,7 +105,9 @@ public:
     std::string_view name() const override { return "skeleton"; }
     BackendInfo info() const override
     {
-        return {.build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
+        return {.title = "skeleton",
+                .distribution = "one thread, pixel after pixel",
+                .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {only_device()}; }

@@ -24,7 +24,9 @@ public:
     std::string_view name() const override { return "stdpar"; }
     BackendInfo info() const override
     {
-        return {.threads = true,
+        return {.title = "C++ standard parallelism",
+                .distribution = "the model's own loop over the pixels of a band, one after the other in each thread",
+                .threads = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     job::Kernels kernels() const override { return {stdpar::drawing, stdpar::chains}; }

@@ -227,7 +227,11 @@ public:
     std::string_view name() const override { return "vulkan"; }
     BackendInfo info() const override
     {
-        return {.has_driver = true,
+        return {.title = "Vulkan",
+                .distribution =
+                    "one invocation per pixel, workgroups of 8 x 8 pixels, in passes short enough for "
+                    "watchdogs",
+                .has_driver = true,
                 .band = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }

@@ -131,6 +131,8 @@ Json backends(const Registry& registry)
         const std::string why = listing.unavailable + listing.failure;
         const BackendInfo info = backend->info();
         found.push_back({{"name", backend->name()},
+                         {"title", info.title},
+                         {"distribution", info.distribution},
                          {"role", name_of(info.role)},
                          {"unavailable", or_null(why)},
                          {"compiler", info.build.compiler},

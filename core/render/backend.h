@@ -189,6 +189,8 @@ struct KernelBuild {
 
 // Properties of a backend that do not depend on the machine.
 struct BackendInfo {
+    std::string_view title = {};         // the model's name as its authors spell it, for people
+    std::string_view distribution = {};  // how it distributes the work, in a phrase for the report
     Role role = Role::none;
     bool has_driver = false;  // uses a driver of a third party, which may crash; programs run it in a separate process
     // The following members are true if the backend uses the member of RendererOptions with the same name.

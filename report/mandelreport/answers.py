@@ -16,12 +16,6 @@ FRACTALS = ("mandelbulb", "mandelbox")
 FILM_SIZE = (1920, 1080)  # pixels
 
 
-def counted(bench: Bench, fractal: str, precision: str, what: str) -> Number:
-    """Returns the number `what` from the operation counts of a fractal's official scene in exact mode."""
-    kinds = [(c["fractal"], c["precision"], c["mode"], c["setting"]["view"]) for c in bench.data["counts"]]
-    return Number.at(bench.name, bench.data, f"/counts/{kinds.index((fractal, precision, 'exact', 'official'))}/{what}")
-
-
 # A picture's operations are the product of its DE evaluations, its iterations per evaluation, and its operations per
 # iteration. The first two were counted over all pixels of the configuration, the third in a sample of its pixels.
 def factors(bench: Bench, box: Row, bulb: Row) -> dict[str, Markup]:

@@ -4,12 +4,11 @@
 from __future__ import annotations
 
 import functools
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-SAME_PEAK = 1.5  # as same_peak in bench/judge/platforms.h
+HOST_COMPILERS = ("GNU", "Clang")
 SCALAR = "simd-width=1"  # sweep value of the scalar kernel's rows
 SAME_WORK = 0.01  # relative; in fast mode, work depends a little on the order in which pixels are rendered
 
@@ -82,11 +81,6 @@ class Row:
         return self.data["verification"]["visibly_differing"] / self.data["verification"]["pixels"]
 
 
-def _sorted(fact: Any) -> Any:
-    """Returns a fact of a machine; a list, whose order does not count, sorted."""
-    return sorted(json.dumps(item, sort_keys=True) for item in fact) if isinstance(fact, list) else fact
-
-
 @dataclass(frozen=True)
 class Bench:
     """A result file. `name`: its path, relative to the folder of results, for display."""
@@ -94,7 +88,6 @@ class Bench:
     name: str
     path: Path
     data: dict[str, Any]
-    number: int = 0  # number of its machine, from 1; 0 if no other machine has this machine's name
 
     @property
     def study(self) -> str:
@@ -118,30 +111,17 @@ class Bench:
     def environment(self) -> dict[str, Any]:
         return self.data["environment"]
 
+    @functools.cached_property
+    def in_cpp(self) -> list[str]:
+        """Returns the backends whose kernels a C++ compiler of the host compiled."""
+        return [b["name"] for b in self.environment["backends"] if b["compiler"].startswith(HOST_COMPILERS)]
+
     @property
     def machine(self) -> str:
         """Returns the processor, the number of usable cores, and the GPUs of the rows."""
         cpu = self.environment["cpu"]
         gpus = sorted({row.device_name for row in self.rows if row.is_gpu})
-        which = [f"machine {self.number}"] if self.number else []
-        return ", ".join([f"{cpu['platform']}, {cpu['cores_usable']} threads", *gpus, *which])
-
-    def same_machine(self, other: Bench) -> bool:
-        """Returns true if two results whose machines have the same name are from one machine, by the rule of
-        bench/judge/platforms.h."""
-        mine, others = (bench.environment["cpu"] for bench in (self, other))
-        known = [key for key in ("stepping", "flags", "caches", "cores_usable") if mine.get(key) is not None and others.get(key) is not None]
-        if any(_sorted(mine[key]) != _sorted(others[key]) for key in known):
-            return False
-        boots = [bench.environment["os"].get("boot") for bench in (self, other)]
-        return (boots[0] is not None and boots[0] == boots[1]) or self._same_peaks(other)
-
-    def _same_peaks(self, other: Bench) -> bool:
-        def peak(bench: Bench, precision: str) -> float:
-            return max((p["operations_per_second"] for p in bench.data["peaks"] if p["precision"] == precision), default=0)
-
-        pairs = [sorted([peak(self, precision), peak(other, precision)]) for precision in ("double", "float")]
-        return all(low == 0 or high <= SAME_PEAK * low for low, high in pairs)
+        return ", ".join([f"{cpu['platform']}, {cpu['cores_usable']} threads", *gpus])
 
     @property
     def size(self) -> str:

@@ -22,7 +22,7 @@ DECODE = "Promise.all([...document.images].map((image) => image.decode().catch((
 
 
 @contextlib.contextmanager
-def opened(address: str, *options: str) -> Iterator[tuple[Page, list[str]]]:
+def opened(address: str) -> Iterator[tuple[Page, list[str]]]:
     """Opens an address in a new browser. Yields the page and a list that grows while the page is used: errors of
     scripts, errors and warnings on the console, and requests for anything but files and data URIs."""
     program = next((found for name in NAMES if (found := shutil.which(name))), None)
@@ -33,7 +33,7 @@ def opened(address: str, *options: str) -> Iterator[tuple[Page, list[str]]]:
         with sync_playwright() as playwright:
             # Chromium's sandbox does not work as root.
             browser = playwright.chromium.launch(
-                executable_path=program, args=[*OPTIONS, *options], chromium_sandbox=os.geteuid() != 0, timeout=1000 * START_SECONDS
+                executable_path=program, args=OPTIONS, chromium_sandbox=os.geteuid() != 0, timeout=1000 * START_SECONDS
             )
             page = browser.new_page(viewport=DESKTOP)
             page.set_default_timeout(1000 * START_SECONDS)

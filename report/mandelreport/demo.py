@@ -20,13 +20,6 @@ REFERENCE = "reference"
 ROW = {"fractal": "", "backend": "", "simd_width": 0, "precision": "", "mode": "", "drawn": True, "fine": True, "said": ""}
 ROW |= {"device": "", "is_gpu": True, "wall_seconds": 0.5, "speed_up": 0.5, "picture": ""}
 TABLE = {"cpu": "", "repetitions": 0, "revision": "", "side": 0, "threads": 0, "version": "", "rows": []}
-# Backends for GPUs, and their substitutes on a machine without a GPU.
-SUBSTITUTES = {
-    "openacc": "1 host thread",
-    "omptarget": "host cores",
-    "opencl": "CPU driver",
-    "vulkan": "CPU driver",
-}
 
 
 @dataclass
@@ -42,10 +35,10 @@ def label(row: dict[str, Any]) -> str:
     return f"{row['backend']}{'-scalar' if row['simd_width'] == 1 else ''}, {row['precision']}, {row['mode']}"
 
 
-def substitute(row: dict[str, Any]) -> str:
-    """Returns a note on a backend for GPUs that ran on the CPU; empty for other backends."""
-    name = SUBSTITUTES.get(row["backend"])
-    return f" ({name}, no GPU)" if name and not row["is_gpu"] else ""
+def substitute(row: dict[str, Any], cpu: str) -> str:
+    """Returns the device, in brackets, of a backend for GPUs that ran on the CPU; empty for other backends, whose device
+    is the processor `cpu` itself."""
+    return f" ({row['device']})" if row["device"] != cpu and not row["is_gpu"] else ""
 
 
 def check_members(data: Any, examples: dict[str, Any]) -> None:
@@ -82,7 +75,7 @@ def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
     return list(found.values())
 
 
-def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def bars_of(rows: list[dict[str, Any]], cpu: str) -> list[dict[str, Any]]:
     """Returns the times of each precision and mode as percentages of the longest time of all. Leaves out the reference,
     whose times are too long for bars."""
     timed = [row for row in rows if row["drawn"] and row["fine"] and row["backend"] != REFERENCE]
@@ -94,8 +87,8 @@ def bars_of(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
             "rows": [
                 {
                     "row": row,
-                    "name": label(row).split(",")[0] + substitute(row),
-                    "substitute": bool(substitute(row)),
+                    "name": label(row).split(",")[0] + substitute(row, cpu),
+                    "substitute": bool(substitute(row, cpu)),
                     "per_cent": 100 * row["wall_seconds"] / longest,
                 }
                 for row in timed
@@ -138,7 +131,7 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
                 "compared": (same[0], same[-1]) if same else ("", ""),
                 "exact": [(row, next(p for p in pictures if row in p.rows)) for row in exact],
                 "expected": [row for row in rows if row["drawn"] and row["backend"] == REFERENCE],
-                "bars": bars_of(rows),
+                "bars": bars_of(rows, table["cpu"]),
                 "failed": [row for row in rows if not row["fine"]],
             }
         )

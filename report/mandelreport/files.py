@@ -30,11 +30,6 @@ class Files:
         except OSError as error:
             raise InputError(f"{name}: {error.strerror}") from None
 
-    def text(self, name: str) -> str:
-        if name not in self.read:
-            self.read[name] = self._bytes(name).decode("utf-8", "replace")
-        return self.read[name]
-
     def json(self, name: str) -> Any:
         """Returns the content of the file `name`.json."""
         file = f"{name}.json"

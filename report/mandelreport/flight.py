@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Output of flythrough for the report: maps, audits, and summaries of films."""
 
-import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -35,8 +34,7 @@ class FlightMap:
 
 @dataclass(frozen=True)
 class Film:
-    """A rendered film. `seconds`: the time to render `rendered` frames; `device`: the name that flythrough's summary
-    gives or, for a log, its line about the backend."""
+    """A rendered film. `seconds`: the time to render `rendered` frames."""
 
     name: str
     fractal: str
@@ -59,7 +57,16 @@ def read_map(name: str, data: dict[str, Any]) -> FlightMap:
     return FlightMap(name, data)
 
 
+def read_audit(data: dict[str, Any]) -> dict[str, Any]:
+    if data["schema"] != 1:
+        raise ValueError(f"schema {data['schema']}")
+    rows = [{key: row[key] for key in ("name", "value", "bar", "at_most", "promise", "unit", "kept", "worst")} for row in data["rows"]]
+    return {key: data[key] for key in ("fractal", "seed", "frames")} | {"rows": rows}
+
+
 def read_film(name: str, data: dict[str, Any]) -> Film:
+    if data["version"] != 1:
+        raise ValueError(f"version {data['version']}")
     device = data["device"]
     kind = "GPU" if device["is_gpu"] else f"CPU, {data['threads']} threads" if data["threads"] else "CPU"
     details = (
@@ -75,24 +82,4 @@ def read_film(name: str, data: dict[str, Any]) -> Film:
         data["seconds"],
         data["processes"],
         details,
-    )
-
-
-def film_of_log(name: str, text: str) -> Film | None:
-    """Returns the film that a log of flythrough's stderr describes, or None if the log ends before the film is
-    complete."""
-    done = re.search(r"^film: (\d+) of (\d+) segments rendered in ([\d.]+) s by (\d+) process", text, re.M)
-    frames = re.search(r"^(\w+), seed \d+, (\d+) frames", text, re.M)
-    if not done or not frames or done[1] != done[2]:
-        return None
-    device = re.search(r"^drawing with (.+)$", text, re.M)
-    return Film(
-        name,
-        frames[1],
-        device[1] if device else "not in the log",
-        int(frames[2]),
-        int(frames[2]),
-        float(done[3]),
-        int(done[4]),
-        "",
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cost of a programming model: its time divided by that of openmp's scalar kernel for the same work, per thread."""
+"""Cost of a programming model: its time divided by that of the host's scalar kernel for the same work, per thread."""
 
 import math
 import statistics
@@ -14,12 +14,10 @@ from .number import Number
 from .results import Results
 from .text import where
 
-DRIVERS = ("opencl", "vulkan", "cuda", "hip")  # these drivers compile and distribute the work, on an unknown number of threads
-
 
 def one_thread(row: Row) -> bool:
     """Returns true if the row's backend runs on one thread of the host and leaves its other cores idle."""
-    return row.threads == 1 and not row.is_gpu and row.backend not in DRIVERS
+    return row.threads == 1 and not row.is_gpu
 
 
 def label(row: Row) -> str:
@@ -59,8 +57,11 @@ class Costs:
         # Each tuple: speed, the scalar kernel's threads divided by the row's, row.
         self.speeds: dict[str, list[tuple[float, float, Row]]] = {}
         for row in bench.rows:
+            # A driver's compiler may vectorise the kernel, on a number of threads of its own.
+            if row.is_gpu or row.simd_width != 1 or row.backend == self.host or row.backend not in bench.in_cpp:
+                continue
             work = bench.work_over_scalar(row, self.host) if row.timed else None
-            if work is None or abs(work - 1) > SAME_WORK or row.simd_width != 1 or row.backend in (self.host, *DRIVERS):
+            if work is None or abs(work - 1) > SAME_WORK:
                 continue
             scalar = bench.scalar(row, self.host)
             if scalar is not None and row.figures["over_scalar"] is not None:

@@ -2,7 +2,7 @@
 """Numbers of the report's sentences. The page shows each number's source to readers who point at the number.
 
 A source is a place or a formula of places. A place is a file's name and a JSON pointer (RFC 6901), such as
-bench.json#/rows/12/operations. The pointer of a text file is the index of a line and that of a word."""
+bench.json#/rows/12/operations."""
 
 from __future__ import annotations
 
@@ -26,10 +26,7 @@ LONGEST = 200  # characters of a source that the page shows
 
 
 def found(data: Any, pointer: str) -> Any:
-    """Returns the value at `pointer` in `data`, a file's content: text, or a value read from JSON."""
-    if isinstance(data, str):
-        line, word = map(int, pointer.split("/")[1:])
-        return float(data.splitlines()[line].split()[word].rstrip("%"))
+    """Returns the value at `pointer` in `data`, a file's content."""
     for key in pointer.split("/")[1:]:
         data = data[int(key) if isinstance(data, list) else key]
     return data

@@ -18,19 +18,17 @@ MAIN = [
     ("parallel", "Parallelisation"),
     ("film", "The film and the choice of its frames"),
     ("discussion", "Discussion"),
-    ("related", "Related work"),
     ("artifact", "Reproduction"),
 ]
 APPENDIX = [
     ("pictures", "Pictures and their differences"),
     ("tables", "All timings"),
     ("sweeps", "Sweeps"),
-    ("backends", "Design of the backends"),
     ("flight", "Flights"),
     ("environments", "Machines and settings"),
     ("viewer", "Live viewer"),
 ]
-TEXT_ONLY = ("discussion", "related")
+TEXT_ONLY = ("discussion", "artifact")
 
 
 def _contents(material: Material, names: list[tuple[str, str]]) -> list[tuple[str, str, dict[str, Any]]]:

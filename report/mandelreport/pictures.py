@@ -161,12 +161,3 @@ class Studio:
             return json.loads(output_of(self.imgdiff, "--json", a, b, "--map", differences, codes=(0, 1)))
 
         return self.cache.value(compared, "imgdiff", a.name, b.name) | {"map": differences}
-
-    def flip_mean(self, a: Path, b: Path) -> float | None:
-        """Returns the mean of the difference metric FLIP (Andersson et al., 2020) at its default viewing distance, or
-        None if its package is missing."""
-        try:
-            import flip_evaluator  # pylint: disable=import-outside-toplevel
-        except ImportError:
-            return None
-        return self.cache.value(lambda: float(flip_evaluator.evaluate(str(a), str(b), "LDR")[1]), "flip 1.7", a.name, b.name)

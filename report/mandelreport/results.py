@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds all files below the results folder and identifies the kind of each by its content, not by its name."""
+"""Finds all files below the results folder, and the kind of each JSON file by its content."""
 
-import dataclasses
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -11,51 +10,14 @@ from typing import Any
 from markupsafe import Markup
 
 from .backends import Backends
-from .bench import Bench, Row
-from .errors import InputError
+from .bench import HOST_COMPILERS, Bench, Row
+from .errors import InputError, reading
 from .files import PROGRAMS, Files
 from .number import Number, found
-from .flight import SERIES, Film, FlightMap, film_of_log, read_film, read_map
-
+from .flight import Film, FlightMap, read_audit, read_film, read_map
 
 RESULTS = Path("results")  # from the source folder
-SCHEMA = "mandelmarch-bench"
-NUMBER = (int, float)
-# The parts of other programs' files that the report uses: a type, a value, a list of one shape, or the keys of an
-# object. bench checks its own files.
-SHAPES: dict[str, Any] = {
-    "map": {"fractal": str, "seed": int, "frames_per_second": int, "hull": {"shape": str, "size": NUMBER}, "safety": NUMBER}
-    | {"balls": [[NUMBER]], "gates": [[NUMBER]], "passages": [int], **{key: [NUMBER] for key in SERIES}},
-    "audit": {"schema": 1, "fractal": str, "seed": int, "frames": int, "rows": [
-        {"name": str, "value": NUMBER, "bar": NUMBER, "at_most": bool, "promise": bool, "unit": str, "kept": bool, "worst": str}]},
-    "film": {"version": 1, "fractal": str, "frames": int, "width": int, "height": int, "samples": NUMBER, "backend": str}
-    | {"device": {"name": str, "is_gpu": bool}, "precision": str, "mode": str, "threads": int, "processes": int}
-    | {"frames_rendered": int, "seconds": NUMBER},
-}
-
-
-def misfit(data: Any, shape: Any, place: str = "") -> str | None:
-    """Returns where and how `data` differs from a shape; None if it has the shape."""
-    at = place or "its top level"
-    if isinstance(shape, dict):
-        if not isinstance(data, dict):
-            return f"{at}: an object was expected"
-        missing = (f"{at}: '{key}' is missing" for key in shape if key not in data)
-        return next(missing, None) or next(filter(None, (misfit(data[key], one, f"{place}/{key}") for key, one in shape.items())), None)
-    if isinstance(shape, list):
-        if not isinstance(data, list):
-            return f"{at}: a list was expected"
-        return next(filter(None, (misfit(one, shape[0], f"{place}/{at}") for at, one in enumerate(data))), None)
-    if isinstance(shape, (type, tuple)):
-        return None if isinstance(data, shape) else f"{at}: {str(data)[:80]} has another type than expected"
-    return None if data == shape else f"{at}: {shape} was expected"
-
-
-def checked(name: str, data: Any, kind: str) -> Any:
-    """Returns `data` if it has the shape of its kind. Otherwise raises InputError with one line."""
-    if error := misfit(data, SHAPES[kind]):
-        raise InputError(f"{name}: {error}")
-    return data
+FLIGHT_STUDY = "flight_seeds.txt"  # the table of make flight-study
 
 
 @dataclass
@@ -71,7 +33,7 @@ class Results:
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
     lines_of_code: list[dict[str, Any]] = field(default_factory=list)  # the models of tools/lines_of_code.py
-    flight_studies: list[str] = field(default_factory=list)  # the tables of make flight-study
+    flight_studies: list[str] = field(default_factory=list)
 
     def study(self, name: str) -> list[Bench]:
         return [bench for bench in self.benches if bench.study == name]
@@ -112,7 +74,7 @@ class Results:
         """Returns the names, without version, of the C++ compilers that built backends for the host in the standard
         studies."""
         built = [b["compiler"] for bench in self.study("standard") for b in bench.environment["backends"]]
-        return list(dict.fromkeys(name for compiler in built if (name := compiler.split()[0] if compiler else "") in ("GNU", "Clang")))
+        return [name for name in HOST_COMPILERS if any(compiler.startswith(name) for compiler in built)]
 
     def gpu_measured(self) -> bool:
         return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
@@ -151,41 +113,21 @@ class Results:
 def _add_json(results: Results, files: Files, stem: str) -> None:
     name, data = f"{stem}.json", files.json(stem)
     kind = data if isinstance(data, dict) else {}
-    if kind.get("schema") == SCHEMA:
-        results.benches.append(files.bench(stem))
-    elif kind.get("schema") == "mandelmarch-bench-random":
-        results.random.append(data)
-    elif kind.get("schema") == "mandelmarch-lines-of-code":
-        results.lines_of_code = data["models"]
-    elif kind.get("format") == "mandelmarch flight map 1":
-        results.maps.append(read_map(name, checked(name, data, "map")))
-    elif kind.get("schema") == "mandelmarch-film":
-        results.films.append(read_film(name, checked(name, data, "film")))
-    elif "promises_kept" in kind:
-        results.audits.append(checked(name, data, "audit"))
-    else:
-        print(f"report: {name}: not a result of bench or flythrough, left out", file=sys.stderr)
-
-
-def _add_text(results: Results, name: str, text: str) -> None:
-    if text.startswith("flight study: "):
-        results.flight_studies.append(text)
-    elif film := film_of_log(name, text):
-        results.films.append(film)
-
-
-def _told_apart(benches: list[Bench]) -> list[Bench]:
-    """Returns the results, with a number for each machine that shares its name with another machine."""
-    machines: dict[str, list[Bench]] = {}  # by name, the first result of each machine with that name
-    numbers = []
-    for bench in benches:
-        known = machines.setdefault(bench.machine, [])
-        index = next((i for i, first in enumerate(known) if first.same_machine(bench)), len(known))
-        if index == len(known):
-            known.append(bench)
-        numbers.append(index + 1)
-    several = {name for name, known in machines.items() if len(known) > 1}
-    return [dataclasses.replace(b, number=n) if b.machine in several else b for b, n in zip(benches, numbers, strict=True)]
+    with reading(name, "a result of this version"):
+        if kind.get("schema") == "mandelmarch-bench":
+            results.benches.append(files.bench(stem))
+        elif kind.get("schema") == "mandelmarch-bench-random":
+            results.random.append(data)
+        elif kind.get("schema") == "mandelmarch-lines-of-code":
+            results.lines_of_code = data["models"]
+        elif kind.get("format") == "mandelmarch flight map 1":
+            results.maps.append(read_map(name, data))
+        elif kind.get("schema") == "mandelmarch-film":
+            results.films.append(read_film(name, data))
+        elif "promises_kept" in kind:
+            results.audits.append(read_audit(data))
+        else:
+            print(f"report: {name}: not a result of bench or flythrough, left out", file=sys.stderr)
 
 
 def read_results(folder: Path, programs: Path = PROGRAMS) -> Results:
@@ -200,9 +142,8 @@ def read_results(folder: Path, programs: Path = PROGRAMS) -> Results:
         kind = path.suffix
         if kind == ".json":
             _add_json(results, files, name.removesuffix(".json"))
-        elif kind in (".txt", ".log"):
-            _add_text(results, name, files.text(name))
-        elif kind in (".jpg", ".jpeg", ".png"):
+        elif path.name == FLIGHT_STUDY:
+            results.flight_studies.append(path.read_text(encoding="utf-8"))
+        elif path.name.startswith("contact") and kind == ".jpg":
             results.contact_sheets.append(path)
-    results.benches = _told_apart(results.benches)
     return results

@@ -314,7 +314,5 @@ const Viewer = (() => {
         }).observe(canvas);
     }
     if (document.getElementById("viewer-canvas")) start();
-    // Returns the fields of the current scene. The report's check compares them with bin/render --print-scene.
-    const fields = () => sceneFields(data.table, fractal, scene, camera, canvas.width, canvas.height, fast, data.table.rules.max_steps);
-    return { idle, picture: () => picture().toDataURL("image/png"), fields, camera: () => camera, dat: parameters };
+    return { idle, picture: () => picture().toDataURL("image/png"), camera: () => camera, dat: parameters };
 })();

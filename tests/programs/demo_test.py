@@ -140,11 +140,12 @@ class DemoTest(unittest.TestCase):
                 for row in table["rows"]:
                     hosted = row["backend"] == "openmp" and row["simd_width"] != 1
                     row.update(backend="openacc" if hosted else "openmp", is_gpu=is_gpu)
+                    row["device"] = "host, one thread" if hosted else table["cpu"]
 
             done, text = self.page_of(rename)
             self.assertEqual(done.returncode, 0, done.stderr)
             bars = re.findall(r'<span class="name">openacc(.*?)</span><span><span class="bar(.*?)"', text)
-            wanted = ("", "") if is_gpu else (" (1 host thread, no GPU)", " hatched")
+            wanted = ("", "") if is_gpu else (" (host, one thread)", " hatched")
             self.assertEqual(set(bars), {wanted})
 
     def test_absent_backends_are_in_one_line(self):

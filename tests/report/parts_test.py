@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import re
 import subprocess
 import sys
 import tempfile
@@ -18,10 +17,9 @@ sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 
 import made  # noqa: E402
 import made_programs  # noqa: E402
-from mandelreport import flight  # noqa: E402
 from mandelreport.figures import style, sweeps, timings  # noqa: E402
 from mandelreport.backends import Backends  # noqa: E402
-from mandelreport.bench import SAME_PEAK, Bench  # noqa: E402
+from mandelreport.bench import Bench  # noqa: E402
 from mandelreport.blocks import Numbers, ref  # noqa: E402
 from mandelreport.errors import write_whole  # noqa: E402
 from mandelreport.pictures import Cache, Key, Studio  # noqa: E402
@@ -89,7 +87,7 @@ class PartsTest(unittest.TestCase):
             next((self.folder / "cache").glob("*.png.stats")).unlink()
             self.assertEqual(drawn(), (True, {}))
 
-    def test_threads_of_two_cores_are_a_sentence(self) -> None:
+    def test_threads_of_two_cores_have_no_figure(self) -> None:
         def of(cores: int) -> dict[str, object]:
             data = made.sweep("threads", "threads", ["1", "2", "4", "8"])
             data["environment"]["cpu"]["cores_usable"] = cores
@@ -98,9 +96,6 @@ class PartsTest(unittest.TestCase):
 
         self.assertEqual(of(2)["threads"], [])
         self.assertEqual([block.kind for block in of(4)["threads"]], ["figure"])
-        plain = re.sub("<.*?>", "", of(2)["scaling"])
-        self.assertTrue(plain.startswith("On as many threads as cores, a picture takes 0.5 [0.475, 0.525] to 0.5"), plain)
-        self.assertIn("on twice as many, 0.333 [", plain)
 
     def test_double_over_float_has_every_ratio(self) -> None:
         data = made.bench()
@@ -165,23 +160,6 @@ class PartsTest(unittest.TestCase):
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "d.json"])
         self.assertEqual(found.primary().name, "c.json")
 
-    def test_machines_of_one_name_with_other_peaks_are_two(self) -> None:
-        def of(factor: float, boot: str) -> dict[str, object]:
-            data = made.bench()
-            data["environment"]["os"]["boot"] = boot
-            for peak in data["peaks"]:
-                peak["operations_per_second"] *= factor
-            return data
-
-        def machines(*files: dict[str, object]) -> list[str]:
-            found = made.read(self.folder / "results", {f"{n}.json": data for n, data in enumerate(files)})
-            return [bench.machine.rpartition(", ")[2] for bench in found.benches]
-
-        header = (ROOT / "bench" / "judge" / "platforms.h").read_text(encoding="utf-8")
-        self.assertIn(f"same_peak = {SAME_PEAK};", header)
-        self.assertEqual(machines(of(1, "a"), of(2, "b"), of(1.1, "c")), ["machine 1", "machine 2", "machine 1"])
-        self.assertEqual(len(set(machines(of(1, "a"), of(2, "a"), of(1.1, "a")))), 1, "one boot is one machine")
-
     def test_a_machine_without_some_backends_is_compared(self) -> None:
         def of(machine: str, side: int, *more: str) -> dict[str, object]:
             data = made.bench()
@@ -197,28 +175,11 @@ class PartsTest(unittest.TestCase):
         self.assertEqual([bench.name for bench in found.machines()], ["b.json", "c.json"])
         self.assertEqual(found.primary().name, "a.json")
 
-    def test_texts_are_known_by_their_first_line(self) -> None:
-        files = {"a.txt": "flight study: x\n", "b.txt": "flight studies\n"}
-        found = made.read(self.folder / "results", files)
-        self.assertEqual(found.flight_studies, ["flight study: x\n"])
-
     def test_negative_levels_have_an_axis(self) -> None:
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # matplotlib warns if a logarithmic axis loses points
             self.assertIsNotNone(sweeps.sweep(Bench("made", Path("made"), study), "D", "ms", "caption"))
-
-    def test_film_of_a_log(self) -> None:
-        log = (
-            "drawing with openmp (no GPU here)\nmandelbox, seed 3, 600 frames (20.0 s); ! is a promise\n"
-            "film: 10 of 10 segments rendered in 150.0 s by 2 processes; video.mp4 is complete\n"
-        )
-        film = flight.film_of_log("film.txt", log)
-        self.assertEqual((film.fractal, film.frames, film.processes, film.per_frame), ("mandelbox", 600, 2, 0.25))
-        self.assertEqual(film.device, "openmp (no GPU here)")
-        # The log of a film that was resumed has no time for the whole film.
-        self.assertIsNone(flight.film_of_log("film.txt", log.replace("10 of 10", "4 of 10")))
-        self.assertIsNone(flight.film_of_log("film.txt", "film: nothing\n"))
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$1"
 python=build/venv/bin/python3
-if ! [ -x $python ] || ! $python -c 'import matplotlib, jinja2, markdown, PIL, scipy' 2>/dev/null; then
+if ! [ -x $python ] || ! $python -c 'import matplotlib, jinja2, PIL, scipy' 2>/dev/null; then
     echo "no build/venv with the report's packages: make python"
     [ -n "${MANDELMARCH_NEED_PYTHON:-}" ] && exit 1
     exit 77

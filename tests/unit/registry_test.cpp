@@ -94,6 +94,7 @@ TEST(BackendInfo, EveryBuiltBackendHasCompilerAndFlags)
         const KernelBuild build = backend->info().build;
         if (backend->unavailable().value_or("").starts_with("not built")) continue;
         EXPECT_FALSE(build.compiler.empty() || build.exact.empty() || build.fast.empty()) << backend->name();
+        EXPECT_FALSE(backend->info().title.empty() || backend->info().distribution.empty()) << backend->name();
     }
 }
 

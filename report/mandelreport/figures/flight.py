@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of a flight: the steps from the seed to the film, free space, the path, and measurements along it."""
+"""Figures of a flight: free space, the path, and measurements along it."""
 
 import math
 
@@ -12,49 +12,6 @@ from ..text import digits
 from . import style
 
 PLANES = [("x", "y", "z"), ("x", "z", "y")]
-# The steps of planning, and those of making the film.
-PLANNING = [
-    ("seed", "a number; seed and fractal determine the flight"),
-    ("balls", "spheres of free space, found by a flood from outside; overlapping ones are linked"),
-    ("gates", "narrow passages: the clearance is smallest along the way and largest across it"),
-    ("tour", "from gate to gate along linked balls, by Dijkstra's search and random factors"),
-    ("elastic band", "the tour is pushed away from walls and straightened to a smooth curve"),
-    ("trajectory", "the position at every frame: the speed is proportional to the clearance"),
-    ("gaze", "one of 1024 directions every tenth frame, by dynamic programming, then smoothed"),
-    ("audit", "every frame is outside the solid; no step is too long, no turn too fast"),
-]
-FILM = [
-    ("segments", "60 frames each, rendered independently by processes, GPUs or MPI ranks"),
-    ("ffmpeg", "encodes each segment; complete segments survive an interruption"),
-    ("MP4", "title and segments, joined without encoding them again"),
-]
-
-
-def steps() -> Figure:
-    """Shows the steps from the seed to the film from top to bottom, each with one line of text."""
-    every = [*PLANNING, *FILM]
-    at = {name: len(every) - number for number, (name, _) in enumerate(every)}
-    figure, [[axis]] = style.panels(1, 1, 7, 3.3)
-    axis.axis("off")
-    axis.set(xlim=(-0.9, 9), ylim=(0.4, len(every) + 0.6))
-    for number, (name, text) in enumerate(every):
-        colour = style.SKY if number < len(PLANNING) else style.ORANGE
-        axis.add_patch(Rectangle((0, at[name] - 0.33), 1.5, 0.66, facecolor=colour, edgecolor="black", linewidth=0.8, alpha=0.5))
-        axis.text(0.75, at[name], name, ha="center", va="center", fontsize=8, weight="bold")
-        axis.text(1.7, at[name], text, va="center", fontsize=8)
-        if number:
-            axis.annotate("", (0.75, at[name] + 0.33), (0.75, at[name] + 0.67), arrowprops={"arrowstyle": "->"})
-    for begin, end, left, words in (("gaze", "trajectory", -0.2, "7 times"), ("audit", "tour", -0.6, "next tour")):
-        axis.plot([0, left, left], [at[begin], at[begin], at[end]], color="black", linewidth=1)
-        axis.annotate("", (0, at[end]), (left, at[end]), arrowprops={"arrowstyle": "->", "shrinkA": 0})
-        axis.text(left - 0.05, (at[begin] + at[end]) / 2, words, rotation=90, ha="right", va="center", fontsize=7)
-    return style.block(
-        figure,
-        "Diagram of the steps from the seed to the film. " + "; ".join(f"{name}: {text}" for name, text in every) + ".",
-        "From the seed (top) to the film. Blue: planning; orange: the film. Trajectory and gaze are computed seven times, as each depends on "
-        "the other. If a tour misses a limit of the audit, the next one is tried, up to twelve.",
-        name="steps",
-    )
 
 
 def _speeds(flight: FlightMap) -> list[float]:

@@ -2,7 +2,7 @@
 """Environments of all measurements: a line for each result of the standard study, for each machine and build, for each
 set of compiler, flags and driver, and for each other file."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from ..bench import Bench
@@ -11,26 +11,15 @@ from . import Material
 from .method import instructions
 
 
-def _told(what: Any, words: Callable[[Any], str]) -> str:
-    """Returns a measured value of the machine as text, or the reason why it is missing. `what` is None if the result does
-    not have it."""
-    if what is None:
-        return "not recorded"
-    return f"missing: {what['missing']}" if "missing" in what else words(what)
+def _gpus(environment: dict[str, Any]) -> str:
+    """Returns the readings of the GPUs, or the reason why they are missing."""
+    gpus = environment.get("telemetry", {}).get("gpus", {"missing": "not recorded"})
+    return "; ".join(map(_gpu, gpus)) if isinstance(gpus, list) else f"missing: {gpus['missing']}"
 
 
 def _gpu(gpu: dict[str, Any]) -> str:
     parts = [f"{gpu[key]:.0f} {unit}" for key, unit in (("joules", "J"), ("watts", "W"), ("sm_megahertz", "MHz")) if gpu[key] is not None]
     return f"{gpu['name']}: {', '.join(parts)}, throttled: {gpu['throttled']}"
-
-
-def _telemetry(environment: dict[str, Any]) -> list[str]:
-    """Returns the readings of energy and of the GPUs."""
-    told = environment.get("telemetry", {})
-    return [
-        _told(told.get("energy"), lambda e: ", ".join(f"{d['name']} {d['joules']:.0f} J" for d in e["domains"]) + f" in {e['seconds']:.0f} s"),
-        _told(told.get("gpus"), lambda gpus: "; ".join(_gpu(gpu) for gpu in gpus) if isinstance(gpus, list) else "–"),
-    ]
 
 
 def _measurement(bench: Bench) -> list[str]:
@@ -96,9 +85,9 @@ def _tables(material: Material) -> list[Table]:
             "Machines and builds.",
         ),
         Table(
-            ["results", "energy", "GPUs"],
-            _grouped((letter, _telemetry(bench.environment)) for letter, bench in benches),
-            "Energy and clocks during the first run.",
+            ["results", "GPUs"],
+            _grouped((letter, [_gpus(bench.environment)]) for letter, bench in benches),
+            "Energy and clocks of GPUs during the first run.",
         ),
         Table(
             ["results", "backend", "compiler", "flags, exact", "flags, fast", "devices and drivers"],

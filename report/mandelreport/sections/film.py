@@ -61,7 +61,6 @@ def section(material: Material) -> dict[str, Any]:
     promises = [row for audit in results.audits for row in audit["rows"] if row["promise"]]
     return {
         "frame": _frame(),
-        "steps": figures.steps(),
         "cost": material.answers.film(),
         "films": [_table(film) for film in results.films]
         or [Missing("The film's summary", "bin/flythrough film --output video.mp4 --summary results/film.json")],

@@ -4,7 +4,6 @@
 from typing import Any
 
 from ..blocks import Missing, Output, Table
-from ..docs import chapter
 from ..figures import flight as figures
 from ..text import plain
 from . import Material
@@ -40,8 +39,6 @@ def section(material: Material) -> dict[str, Any]:
     maps = [(figures.ground(m) if m is not results.maps[-1] else None, figures.over_time(m), m) for m in results.maps]
     command = "bin/flythrough plan path.json --fractal bulb --map results/map_bulb.json"
     return {
-        "seed_to_path": chapter("docs/flight.md", "From the seed to the path"),
-        "audit_text": chapter("docs/flight.md", "The audit"),
         "maps": maps,
         "no_maps": Missing("The map, the path and its measurements", command),
         "audits": [_audit_table(audit) for audit in results.audits]

@@ -9,18 +9,6 @@ from ..figures.front import times
 from ..text import digits, join
 from . import Material
 
-# Names as spelled by their authors.
-MODELS = {
-    "openmp": "OpenMP",
-    "stdpar": "C++ standard parallelism",
-    "kokkos": "Kokkos",
-    "openacc": "OpenACC",
-    "omptarget": "OpenMP target directives",
-    "cuda": "CUDA",
-    "hip": "HIP",
-    "opencl": "OpenCL",
-    "vulkan": "Vulkan",
-}
 # Rungs of the ladder from the serial reference to the fastest picture.
 RUNGS = {
     "reference": "serial reference",
@@ -65,7 +53,7 @@ def section(material: Material) -> dict[str, Any]:
     cost = answers.cost()
     timed = answers.primary.values("backend") if answers.primary else []
     return {
-        "models": join([MODELS.get(name, name) for name in timed if name != material.backends.reference] or ["several models"]),
+        "models": join([material.backends.title(name) for name in timed if name != material.backends.reference] or ["several models"]),
         "same": answers.same(),
         "cost": cost and cost | {"backends": join(cost["backends"])},
         "gpu_measured": material.results.gpu_measured(),

@@ -3,37 +3,14 @@
 
 from typing import Any
 
-from markupsafe import Markup
-
-from ..answers import named
 from ..bench import Bench
 from ..blocks import Missing, Table
-from ..text import join
 from . import Material
 
 
 def instructions(bench: Bench, host: str) -> str:
     rows = [row for row in bench.timed(backend=host) if row.instruction_set]
     return ", ".join(dict.fromkeys(row.instruction_set for row in rows))
-
-
-HOST_COMPILERS = ("GNU", "Clang")
-
-
-def _baseline(material: Material) -> str:
-    """Returns a sentence that names the instruction sets for which the host's backends are compiled."""
-    bench = material.answers.primary
-    if bench is None:
-        return ""
-    backends = [b for b in bench.environment["backends"] if b["compiler"].startswith(HOST_COMPILERS)]
-    plain = [b["name"] for b in backends if "-march" not in b["flags_exact"] + b["flags_fast"] and b["name"] != material.backends.host]
-    if not plain:
-        return ""
-    host = material.backends.host
-    return Markup(
-        "The scalar kernel and {} are compiled without -march, for the compiler's baseline ({}). {}'s packs select their "
-        "instructions at run time; OpenCL and Vulkan compile for the processor on which they run."
-    ).format(join(plain), named("x86-64: SSE2, no fused multiply-add"), host)
 
 
 def section(material: Material) -> dict[str, Any]:
@@ -54,7 +31,7 @@ def section(material: Material) -> dict[str, Any]:
     table = Table(
         ["", "file", "machine", "pixels", "runs", "SIMD", "revision"],
         rows,
-        "Results of the standard study. Appendix F uses their letters.",
+        "Results of the standard study. Appendix E uses their letters.",
         [4],
     )
-    return {"table": table if rows else Missing("The results", "make bench"), "baseline": _baseline(material)}
+    return {"table": table if rows else Missing("The results", "make bench")}

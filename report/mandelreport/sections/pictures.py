@@ -7,9 +7,9 @@ from typing import Any
 
 from PIL import Image, ImageFilter
 
-from ..blocks import Block, Figure, Missing, Table
+from ..blocks import Figure, Missing, Table
 from ..pictures import SCENES, SIDE, Key, Picture, Studio, encoded
-from ..text import digits, join
+from ..text import join
 from . import Material
 
 
@@ -24,7 +24,7 @@ class Shown:
 
 
 def _names(keys: list[Key]) -> str:
-    """Returns the names of pictures, such as "openmp, opencl (double, exact); openmp (float, exact)"."""
+    """Returns the names of pictures, such as "one, other (double, exact); one (float, exact)"."""
     kinds: dict[str, list[str]] = {}
     for key in keys:
         kinds.setdefault(f"{key.precision}, {key.mode}", []).append(key.backend)
@@ -129,29 +129,6 @@ def _float_against_double(material: Material, pictures: dict[Key, Picture]) -> T
     )
 
 
-def _flip(material: Material, pictures: dict[Key, Picture]) -> Block:
-    rows = []
-    for picture in pictures.values():
-        key = picture.key
-        canonical = pictures.get(Key(key.fractal, "double", "fast", material.backends.reference))
-        if key.mode != "fast" or key.backend == material.backends.reference or canonical is None:
-            continue
-        mean = material.studio.flip_mean(canonical.drawn, picture.drawn)
-        if mean is None:
-            return Missing("FLIP, as the package flip-evaluator is not installed", "make python")
-        found = material.studio.compare(canonical.drawn, picture.drawn)
-        rows.append([key.fractal, key.precision, key.backend, digits(mean), _visible(found), _psnr(found)])
-    if not rows:
-        return Missing("FLIP of the fast pictures", "make build report")
-    return Table(
-        ["fractal", "precision", "backend", "mean FLIP", "differ visibly", "PSNR [dB]"],
-        rows,
-        "Fast pictures compared with the canonical one (reference, double, fast): FLIP (flip-evaluator 1.7, LDR; 0: the same "
-        "to the eye, 1: the largest difference), the fraction of pixels with a byte that differs by more than 2, and PSNR.",
-        [3, 4, 5],
-    )
-
-
 def _range(values: list[float], places: int) -> str:
     return f"{min(values):.{places}f} – {max(values):.{places}f}"
 
@@ -223,7 +200,6 @@ def section(material: Material) -> dict[str, Any]:
         "count": sum(len(shown) for shown in stored.values()),
         "tables": tables,
         "float": _float_against_double(material, pictures),
-        "flip": _flip(material, pictures),
         "random": random_errors(material.results.random)
         if material.results.random
         else Missing("Fast pictures of random scenes", "bin/bench random --json results/random.json"),

@@ -3,15 +3,11 @@
 
 from typing import Any
 
-from markupsafe import Markup
-
-from ..answers import named
 from ..bench import Bench
-from ..blocks import Missing, Table, seen
+from ..blocks import Missing, Table
 from ..figures import timings
 from ..models import label, ranked, with_scalar
-from ..number import Number
-from ..text import digits, join, where
+from ..text import digits
 from . import Material
 from .tables import quotient_cell, time_cell
 
@@ -48,47 +44,15 @@ def _elsewhere(material: Material, fractal: str, precision: str, mode: str) -> s
     return quotient_cell(found[1], "over_scalar").replace(" [", " * [") if found else "–"
 
 
-def _peak_see(bench: Bench) -> str:
-    best = max((r for r in bench.rows if r.timed and r.figures["share_of_peak"]), key=lambda r: r.figures["share_of_peak"], default=None)
-    if best is None:
-        return ""
-    share = (100 * Number.of_row(bench, best, "/figures/share_of_peak")).html("plain")
-    return Markup(
-        "the highest bar is {} % ({}, {}, {}, {}). The rest is operations other than multiply-adds, and idle lanes; Appendix B counts the loops' instructions."
-    ).format(share, where(best), best.fractal, best.precision, best.mode)
-
-
-def _cost_see(material: Material, bench: Bench) -> str:
-    cost = material.answers.cost()
-    if cost is None:
-        return ""
-    own = bench.timed(backend=material.backends.host, sweep_value="")
-    ends = (pick(own, key=lambda row: row.figures["over_scalar"]) for pick in (min, max))
-    least, most = (Number.of_row(bench, row, "/figures/over_scalar").html() for row in ends)
-    return Markup(
-        "{} stay near the line, at {} to {} times the scalar kernel's speed per thread: the models' own loops cost little. {} is {} to {} times as "
-        "fast as the scalar kernel, in fast mode partly because it does fewer operations. Ratios are taken round by round, so two "
-        "configurations can differ significantly even if their intervals overlap."
-    ).format(join(cost["backends"]), cost["least"], cost["most"], material.backends.host, least, most)
-
-
-def _machines_see(machines: list[Bench]) -> str:
-    if not machines:
-        return ""
-    each = [Markup("{}: {} is the fastest").format(named(bench.machine), join(list(dict.fromkeys(map(where, bench.fastest()))))) for bench in machines]
-    return Markup("; ").join(each) + Markup("; {} pixels on each.").format(named(machines[0].size))
-
-
 def section(material: Material) -> dict[str, Any]:
     bench = material.answers.primary
     if bench is None:
         return {"missing": Missing("The timings", "make bench")}
     backends = material.backends
-    machines = material.results.machines()
     blocks = [
         _table(material, bench),
-        seen(timings.over_scalar(bench, backends), _cost_see(material, bench)),
-        seen(timings.share_of_peak(bench, backends), _peak_see(bench)),
-        seen(timings.machines(machines), _machines_see(machines)),
+        timings.over_scalar(bench, backends),
+        timings.share_of_peak(bench, backends),
+        timings.machines(material.results.machines()),
     ]
     return {"blocks": [block for block in blocks if block], "warnings": bench.data["warnings"], "name": bench.name}

@@ -99,13 +99,7 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
     platforms = dict.fromkeys(on["platform"] for entry in entries for on in entry["platforms"])
     rows = []
     for entry in entries:
-
-        def with_interval(key: str, entry: dict[str, Any] = entry) -> str:
-            if entry[key] is None:
-                return "–"
-            interval = entry[f"{key}_interval"]
-            return digits(entry[key]) + (f" ({digits(interval[0])} – {digits(interval[1])})" if interval else "")
-
+        metric = (f"by_{kind}" for kind in ("application_efficiency", "share_of_peak"))
         rows.append(
             [
                 entry["fractal"],
@@ -113,8 +107,7 @@ def _portability_table(entries: list[dict[str, Any]], missing: dict[str, list[st
                 entry["mode"],
                 entry["application"],
                 str(len(entry["platforms"])),
-                with_interval("by_application_efficiency"),
-                with_interval("by_share_of_peak"),
+                *("–" if entry[key] is None else with_interval(entry[key], entry[f"{key}_interval"]) for key in metric),
             ]
         )
     if not rows:

@@ -3,16 +3,10 @@
 
 from typing import Any
 
-from markupsafe import Markup
-
-from ..answers import counted
-from ..answers import factors as traced_factors
-from ..answers import verdict
-from ..bench import Bench, Row
-from ..blocks import Missing, Table, seen
+from ..bench import Bench
+from ..blocks import Figure, Missing, Table, seen
 from ..figures import timings
 from ..figures.why import Factors, comparison, factors
-from ..number import Number
 from ..text import digits, ms, percent
 from . import Material
 
@@ -69,55 +63,7 @@ def factor_table(material: Material) -> Table | None:
     )
 
 
-def _answer(material: Material, bench: Bench, found: list[Factors], precision: str) -> dict[str, Any] | None:
-    """Returns the ratios of the official scenes' times and operations in one precision, as numbers that keep their
-    places in the result file. Returns None if a scene was not timed."""
-    host = material.backends.host
-    if {f.fractal for f in found if f.view == "official" and f.precision == precision and f.kernel} != set(FRACTALS):
-        return None
-    rows = {(row.fractal, row.setting["view"]): row for row in bench.timed(backend=host, precision=precision, mode="exact")}
-    box_row, bulb_row = (rows[fractal, "official"] for fractal in FRACTALS)
-
-    def kernel(row: Row) -> Number:
-        return Number.of_row(bench, row, "/figures/kernel_seconds/median")
-
-    def ratio(question: str, row: Row) -> Markup:
-        return material.results.times(bench.name, bench.ratio_at(question, row.name))
-
-    def lanes(fractal: str) -> Markup:
-        return (100 * counted(bench, fractal, precision, "lane_use/0/together/in_iterations")).html("plain")
-
-    def peak(row: Row) -> Markup:
-        return (100 * Number.of_row(bench, row, "/figures/share_of_peak")).html("plain")
-
-    def work(row: Row) -> Number:
-        return Number.of_row(bench, row, "/operations") / Number.of_row(bench, row, "/work/iterations")
-
-    answer: dict[str, Any] = {
-        "precision": precision,
-        "machine": bench.machine,
-        "backend": host,
-        "ratio": ratio("mandelbox_to_mandelbulb", box_row),
-        "slower": box_row.kernel.median > bulb_row.kernel.median,
-        "verdict": verdict(bench.ratio("mandelbox_to_mandelbulb", box_row.name)),
-        "size": bench.size,
-        "sample": counted(bench, "mandelbox", precision, "pixels").html("whole"),
-        **traced_factors(bench, box_row, bulb_row),
-        "box_lanes": lanes("mandelbox"),
-        "bulb_lanes": lanes("mandelbulb"),
-        "box_peak": peak(box_row),
-        "bulb_peak": peak(bulb_row),
-    }
-    angles_row = rows.get(("mandelbulb", "angles"))
-    if angles_row is not None:
-        answer["angles"] = ratio("to_first_value", angles_row)
-        answer["angle_operations"] = (work(angles_row) / work(bulb_row)).html()
-        answer["against_angles"] = (kernel(box_row) / kernel(angles_row)).html()
-        answer["box_beats_angles"] = box_row.kernel.median < angles_row.kernel.median
-    return answer
-
-
-def _study(material: Material, bench: Bench) -> dict[str, Any]:
+def _study(material: Material, bench: Bench) -> Figure | None:
     found = factors(bench, material.backends.host)
     views: dict[str, dict[str, Factors]] = {}
     for f in found:
@@ -125,10 +71,7 @@ def _study(material: Material, bench: Bench) -> dict[str, Any]:
             views.setdefault(f.view, {})[f.fractal] = f
     pairs = [(of["mandelbox"], of["mandelbulb"]) for of in views.values() if set(FRACTALS) <= set(of)]
     figure = comparison(pairs)
-    return {
-        "answers": [a for p in ("double", "float") if (a := _answer(material, bench, found, p))],
-        "figure": figure and seen(figure, _see(pairs)),
-    }
+    return figure and seen(figure, _see(pairs))
 
 
 def _see(pairs: list[tuple[Factors, Factors]]) -> str:

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""No code branches on a fractal's name. Therefore a fractal's name may occur as a string only in the fractal's files,
-in tests, and in the files listed in ALLOWED."""
+"""No code branches on the name of a fractal or of a backend. Therefore a fractal's name may occur as a string only in
+the fractal's files, in tests, and in the files listed in ALLOWED; the name of a backend that need not be built may occur
+only in backends/, in documents, in tests, and in the files listed in NAME_BACKENDS."""
 
 from __future__ import annotations
 
@@ -23,7 +24,21 @@ ALLOWED = {
     "report/mandelreport/answers.py": "the two fractals that the front page compares",
     "report/mandelreport/pictures.py": "the two scenes that the report shows",
     "report/mandelreport/sections/why.py": "the two fractals of that question",
-    "report/mandelreport/viewer_check.py": "odd parameters, which the viewer is tried at",
+}
+# Files and folders, each with the reason why it names backends.
+NAME_BACKENDS = {
+    "CMakePresets.json": "the option that selects them",
+    "bench/command/scene_commands.cpp": "an example in --help",
+    "bench/study/options.cpp": "an example in --help",
+    "cmake/": "how each is compiled",
+    "core/base/environment.h": "variables of their run-time libraries",
+    "core/job/driver.cpp": "the two drivers for GPUs, in messages",
+    "packaging/": "libraries of their drivers, and the steps that try each on a GPU",
+    "report/templates/": "sentences, for readers",
+    "tools/gpu_packages.txt": "packages",
+    "tools/lint": "compilers of their files",
+    "tools/results.txt": "what each study measures",
+    "tools/setup": "packages",
 }
 
 
@@ -39,6 +54,13 @@ def strings(text: str) -> set[str]:
     """Returns the words in quotes outside comments, and the names that follow MM_FRACTAL_."""
     code = re.sub(r"//.*", "", text)
     return set(re.findall(r'"(\w+)"', code)) | set(re.findall(r"\bMM_FRACTAL_(\w+)", code))
+
+
+def files_below(folder: str) -> list[Path]:
+    """Returns the files of a folder and its folders, or only of the top level, without pages, backends and output."""
+    paths = (ROOT / folder).rglob("*") if folder else [*ROOT.glob("*.*"), ROOT / "Makefile"]
+    parts = ("backends", "__pycache__")
+    return [p for p in paths if p.is_file() and p.suffix != ".md" and not p.is_relative_to(REPORT) and not set(parts) & {*p.relative_to(ROOT).parts[:-1]}]
 
 
 def files_with_names() -> dict[str, set[str]]:
@@ -67,6 +89,19 @@ class FractalNames(unittest.TestCase):
         self.assertIn("backends/reference/reference.cpp", files_with_names())
         self.assertEqual(strings('if (name == "julia") return;  // not "bulb"'), {"julia"})
         self.assertEqual(strings("#if defined(MM_FRACTAL_julia)"), {"julia"})
+
+    def test_only_listed_files_name_backends(self) -> None:
+        known = {path.name for path in (ROOT / "backends").iterdir() if path.is_dir()} | {"hip"}
+        known -= {"openmp", "reference", "program", "skeleton"}  # the first two are always built and are defaults
+        self.assertGreater(len(known), 6)
+        word = re.compile(rf"\b({'|'.join(sorted(known))})\b")
+        found = set()
+        for path in (path for folder in (*FOLDERS, "cli", "cmake", "packaging", "tools", "") for path in files_below(folder)):
+            if word.search(re.sub(r"//.*", "", path.read_text(encoding="utf-8", errors="replace"))):
+                found.add(path.relative_to(ROOT).as_posix())
+        allowed = tuple(NAME_BACKENDS)
+        self.assertEqual([file for file in sorted(found) if not file.startswith(allowed)], [])
+        self.assertEqual([entry for entry in allowed if not any(file.startswith(entry) for file in found)], [], "no longer needed")
 
 
 if __name__ == "__main__":
