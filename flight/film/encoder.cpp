@@ -34,6 +34,21 @@ std::string cause_of(const std::string& errors)
     return errors.substr(begin, errors.find('\n', begin) - begin);
 }
 
+// Splits options at blanks.
+std::vector<std::string> words_of(const std::string& text)
+{
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+// Returns the name or path of ffmpeg: the value of the environment variable MANDELMARCH_FFMPEG, or "ffmpeg" if it is
+// not set.
+std::string ffmpeg()
+{
+    const std::string name = environment_variable("MANDELMARCH_FFMPEG");
+    return name.empty() ? "ffmpeg" : name;
+}
+
 // Returns ffmpeg's options for the encoded file. bitexact leaves out metadata that changes from run to run.
 std::vector<std::string> encoding()
 {
@@ -111,18 +126,6 @@ FfmpegProcess::Result FfmpegProcess::finish()
         result.cause = ended.text();
     }
     return result;
-}
-
-std::vector<std::string> words_of(const std::string& text)
-{
-    std::istringstream words(text);
-    return {std::istream_iterator<std::string>(words), {}};
-}
-
-std::string ffmpeg()
-{
-    const std::string name = environment_variable("MANDELMARCH_FFMPEG");
-    return name.empty() ? "ffmpeg" : name;
 }
 
 std::vector<std::string> time_scale(int rate)

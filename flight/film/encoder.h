@@ -16,13 +16,6 @@
 
 namespace mandelmarch {
 
-// Splits options at blanks.
-std::vector<std::string> words_of(const std::string& text);
-
-// Returns the name or path of ffmpeg: the value of the environment variable MANDELMARCH_FFMPEG, or "ffmpeg" if it is
-// not set.
-std::string ffmpeg();
-
 // Throws Error with a message of one line if films cannot be encoded: if ffmpeg is missing or does not respond, if it
 // lacks the container's codec or the filter drawtext, or if the title's font is missing.
 void check_ffmpeg(Container container);

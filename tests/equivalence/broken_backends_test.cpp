@@ -79,6 +79,7 @@ class BrokenBackend : public Backend {
 public:
     BrokenBackend(Defect defect, std::string_view name) : defect_(defect), name_(name) {}
     std::string_view name() const override { return name_; }
+    BackendInfo info() const override { return {.replays = true}; }  // without a trial, whose pictures are others
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {Device{}}; }
     std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
