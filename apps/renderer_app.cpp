@@ -15,7 +15,6 @@
 #include "apps/scene_options.h"
 #include "apps/stats.h"
 #include "apps/survey.h"
-#include "backends/all.h"
 #include "core/base/console.h"
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -167,6 +166,8 @@ void print_trace(const char* program, const RenderOptions& options, const Regist
     print(text_of(trace_pixel(scene, options.renderer, x, y)));
 }
 
+}  // namespace
+
 int render_program(const Registry& registry, const char* program, const char* fractal, int argc, char** argv)
 {
     std::optional<int> done;
@@ -230,16 +231,6 @@ int render_program(const Registry& registry, const char* program, const char* fr
     }
     write_picture();
     return exit_success;
-}
-
-}  // namespace
-
-int renderer_main(const char* program, const char* fractal, int argc, char** argv)
-{
-    const auto body = [&](int count, char** values) {
-        return render_program(program_backends(count, values), program, fractal, count, values);
-    };
-    return run_program(program, body, argc, argv);
 }
 
 }  // namespace mandelmarch
