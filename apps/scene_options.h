@@ -7,11 +7,11 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <ranges>
 #include <string>
 
 #include "cli/arguments.h"
 #include "cli/option_values.h"
+#include "core/base/text.h"
 #include "core/base/error.h"
 #include "core/render/backend.h"
 #include "core/scene/fractal.h"
@@ -22,7 +22,7 @@ namespace mandelmarch {
 // Adds --fractal. `name` contains the default, and receives the value.
 inline CLI::Option* add_fractal_option(CLI::App& app, std::string& name)
 {
-    const auto names = fractals() | std::views::transform(&Fractal::name);
+    const auto names = mapped(fractals(), &Fractal::name);
     return app.add_option("--fractal", name, fmt::format("fractal: {}", fmt::join(names, ", ")));
 }
 

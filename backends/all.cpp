@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <ranges>
 #include <span>
 #include <string_view>
 
@@ -44,7 +43,7 @@ std::vector<std::string> opened_backends()
     const std::vector<std::string_view> names = split(text, ',');
     for (const std::string_view name : names) {
         if (std::ranges::count(registrations, name, &Registration::name) > 0) continue;
-        const auto known = registrations | std::views::transform(&Registration::name);
+        const auto known = mapped(registrations, &Registration::name);
         throw InputError(fmt::format("MANDELMARCH_BACKENDS: '{}' given, expected some of {} with commas between them",
                                      name, fmt::join(known, ", ")));
     }

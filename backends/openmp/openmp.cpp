@@ -9,7 +9,6 @@
 #include <cctype>
 #include <cstdint>
 #include <cstdlib>
-#include <ranges>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "backends/openmp/place.h"
 #include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
+#include "core/base/text.h"
 #include "core/base/cores.h"
 #include "core/base/cpu.h"
 #include "core/base/environment.h"
@@ -200,7 +200,7 @@ private:
             std::ranges::find(variants.rbegin(), variants.rend(), options_.simd_width, &Variant<Real>::pack);
         if (of_width != variants.rend()) return *of_width;
         std::erase_if(variants, [](const auto& variant) { return !variant.counted; });
-        const auto widths = variants | std::views::transform(&Variant<Real>::pack);
+        const auto widths = mapped(variants, &Variant<Real>::pack);
         throw InputError(
             fmt::format("--simd-width: {} is no SIMD width of openmp in {} on this machine, expected one of {}",
                         options_.simd_width, name_of(options_.precision), fmt::join(widths, ", ")));

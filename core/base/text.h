@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace mandelmarch {
@@ -22,6 +25,15 @@ std::string_view trimmed(std::string_view text);
 
 // Returns the parts between separators. A separator at the end of the text ends the last part.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+// Returns what `function`, such as a pointer to a member, gives for each element of the list.
+template <class List, class Function>
+auto mapped(const List& list, const Function& function)
+{
+    std::vector<std::decay_t<std::invoke_result_t<Function, decltype(*std::begin(list))>>> values;
+    for (const auto& element : list) values.push_back(std::invoke(function, element));
+    return values;
+}
 
 inline constexpr std::size_t deepest_json = 64;
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <vector>
 
 #include "core/base/error.h"
@@ -59,7 +58,7 @@ Techniques techniques_without(std::string_view names)
     for (const std::string_view name : split(names, ',')) {
         const auto found = std::ranges::find(names_of_techniques, name, &NamedTechnique::name);
         if (found == names_of_techniques.end()) {
-            const auto known = names_of_techniques | std::views::transform(&NamedTechnique::name);
+            const auto known = mapped(names_of_techniques, &NamedTechnique::name);
             throw InputError(
                 fmt::format("no technique is called '{}', expected some of {}", name, fmt::join(known, ", ")));
         }

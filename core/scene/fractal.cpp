@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/text.h"
 #include "core/scene/fractal.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 #include <string>
 #include <tuple>
 
@@ -74,7 +74,7 @@ const Fractal& fractal_named(std::string_view name)
     for (const Fractal& fractal : fractals()) {
         if (fractal.name == name || fractal.short_name == name) return fractal;
     }
-    const auto known = fractals() | std::views::transform(&Fractal::name);
+    const auto known = mapped(fractals(), &Fractal::name);
     throw InputError(fmt::format("no fractal is called '{}', expected one of {}", name, fmt::join(known, ", ")));
 }
 

@@ -5,9 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
@@ -31,7 +31,7 @@ std::string number(double value) { return fmt::format("{:.5g}", value == 0 ? 0.0
 template <class Items, class Text>
 std::string list(const Items& items, Text text_of)
 {
-    return fmt::format("[{}]", fmt::join(items | std::views::transform(text_of), ","));
+    return fmt::format("[{}]", fmt::join(mapped(items, text_of), ","));
 }
 
 // Returns up to `most` balls as JSON, each as [x, y, z, clearance]. Balls that contain a point of the path come first,
