@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,17 +27,6 @@ std::string interval_text(const std::optional<Interval>& interval, int count, do
 
 // Returns a line for each text: `start`, then the text. Replaces unprintable characters and truncates long lines.
 std::string notes(const std::string& start, const std::vector<std::string>& texts);
-
-// Returns the names of a list's elements, with `between` between them. `name`: returns an element's name.
-template <class List, class Name = std::identity>
-std::string joined(const List& list, const char* between, const Name& name = {})
-{
-    std::string text;
-    for (const auto& element : list) {
-        text += fmt::format("{}{}", text.empty() ? "" : between, std::invoke(name, element));
-    }
-    return text;
-}
 
 // Truncates a line to `most` characters.
 std::string clipped(const std::string& line, std::size_t most);

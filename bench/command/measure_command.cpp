@@ -61,7 +61,8 @@ void add_options(CLI::App& app, Registry& registry, Measurement& m)
     app.add_option("--runs", o.runs, "number of processes that repeat the study, one after the other")
         ->check(whole(1, 1000))
         ->capture_default_str();
-    app.add_option("--continue", m.earlier, "stored result that runs are added to, until there are --runs of them");
+    app.add_option("--continue", m.earlier, "stored result that runs are added to, until there are --runs of them")
+        ->needs("--runs");
     app.add_option(
            "--budget", o.budget,
            "time for the timed rounds, in seconds (default: 150 s minus the time already spent, but at least 15 s "
@@ -102,6 +103,24 @@ std::vector<std::string> inherited(const std::vector<std::string>& arguments)
     return kept;
 }
 
+// Returns the result to continue. Throws InputError if its further runs could not be those of this command.
+Result continued(const Measurement& m, const nlohmann::ordered_json& here)
+{
+    Result earlier = read_result(m.earlier);
+    const auto where = [&](const std::string& study, const nlohmann::ordered_json& environment) {
+        return fmt::format("{} of revision {} on {}", study, environment.at("git").at("revision").dump(),
+                           environment.at("cpu").at("platform").dump());
+    };
+    const std::string found = where(earlier.study, earlier.environment);
+    const std::string expected = where(std::string(m.options.study->name), here);
+    if (found != expected) throw InputError(fmt::format("{}: {} found, expected {}", m.earlier, found, expected));
+    if (earlier.runs >= m.options.runs) {
+        throw InputError(
+            fmt::format("{}: it has {} runs, expected fewer than --runs {}", m.earlier, earlier.runs, m.options.runs));
+    }
+    return earlier;
+}
+
 Outputs::Done measured(Measurement& m, Registry& registry, const std::vector<std::string>& arguments)
 {
     const int runs = m.options.runs;
@@ -110,13 +129,7 @@ Outputs::Done measured(Measurement& m, Registry& registry, const std::vector<std
     if (m.earlier.empty()) {
         m.result = measure(registry, m.options, [&](const Step& step) { display.show(step); });
     } else {
-        m.result = read_result(m.earlier);
-        const auto revision = environment(registry).at("git").at("revision");
-        if (m.result.study != m.options.study->name || m.result.environment.at("git").at("revision") != revision) {
-            throw InputError(fmt::format("{}: study {} of revision {}, expected {} of {}", m.earlier, m.result.study,
-                                         m.result.environment.at("git").at("revision").dump(), m.options.study->name,
-                                         revision.dump()));
-        }
+        m.result = continued(m, environment(registry));
     }
     if (runs > 1) {
         m.result = with_further_runs(std::move(m.result), runs, [&](int run) {

@@ -2,6 +2,7 @@
 #include "bench/machine/steadiness.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 
 #include "bench/base/table.h"
 #include "bench/result/figures.h"
+#include "core/base/text.h"
 #include "core/base/cores.h"
 #include "core/base/files.h"
 
@@ -124,7 +126,7 @@ std::string unlike_threads(const Result& result)
         known.push_back(here);
     }
     const auto text_of = [](const auto& one) { return fmt::format("{} {}", one.first, one.second); };
-    return unlike ? joined(known, ", ", text_of) : std::string();
+    return unlike ? fmt::format("{}", fmt::join(mapped(known, text_of), ", ")) : std::string();
 }
 
 }  // namespace

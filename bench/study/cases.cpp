@@ -2,6 +2,7 @@
 #include "bench/study/cases.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <tuple>
 
 #include "bench/study/views.h"
+#include "core/base/text.h"
 #include "core/base/cpu.h"
 #include "core/base/error.h"
 #include "core/scene/parameter_file.h"
@@ -141,7 +143,9 @@ std::function<bool(const std::string& name)> selection(const std::string& filter
 {
     if (filter.empty()) return [](const std::string&) { return true; };
     const bool others = filter.front() == '-';
-    const std::vector<std::string> patterns = parts_of(std::string_view(filter).substr(others ? 1 : 0));
+    const std::string text = filter.substr(others ? 1 : 0) + ',';
+    const std::vector<std::string_view> parts = split(text, ',');
+    const std::vector<std::string> patterns(parts.begin(), parts.end());
     if (std::ranges::count(patterns, "") != 0) {
         throw InputError(fmt::format("--filter: '{}' given, expected texts with commas between them", filter));
     }

@@ -2,40 +2,26 @@
 #include "bench/study/options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "cli/option_values.h"
-#include "bench/base/table.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace mandelmarch::bench {
-namespace {
-
-std::string_view name_of_fractal(const Fractal* fractal) { return fractal->short_name; }
-
-}  // namespace
-
 bool Options::selects(std::string_view backend) const
 {
     return backends.empty() || std::ranges::find(backends, backend) != backends.end();
 }
 
-std::vector<std::string> parts_of(std::string_view text)
-{
-    std::vector<std::string> parts;
-    for (std::size_t at = 0; at <= text.size();) {
-        const auto comma = std::min(text.find(',', at), text.size());
-        parts.emplace_back(text.substr(at, comma - at));
-        at = comma + 1;
-    }
-    return parts;
-}
-
 std::vector<std::string> parse_backends(Registry& registry, std::string_view text)
 {
     if (text == "all") return {};
-    std::vector<std::string> names = parts_of(text);
+    const std::string ended = fmt::format("{},", text);
+    const std::vector<std::string_view> parts = split(ended, ',');
+    std::vector<std::string> names(parts.begin(), parts.end());
     for (const std::string& name : names) {
         if (registry.open(name) != nullptr) continue;
         throw InputError(fmt::format(
@@ -73,7 +59,7 @@ void add_selection(CLI::App& app, Registry& registry, Options& options)
     app.add_option_function<std::string>(
            "--fractal", [&](const std::string& text) { options.fractals = parse_fractals(text, default_fractals()); },
            fmt::format("fractal to measure: all ({}), or one name",
-                       joined(default_fractals(), " and ", name_of_fractal)))
+                       fmt::join(mapped(default_fractals(), &Fractal::short_name), " and ")))
         ->default_str("all");
     app.add_option_function<std::string>(
            "--mode",
@@ -90,7 +76,7 @@ void add_selection(CLI::App& app, Registry& registry, Options& options)
         "picture size, WxH in pixels (default: the study's, 540x540 in most)");
     app.add_option_function<std::string>(
            "--study", [&](const std::string& text) { options.study = &study_named(text); },
-           "what to vary: " + joined(studies(), ", ", &Study::name))
+           fmt::format("what to vary: {}", fmt::join(mapped(studies(), &Study::name), ", ")))
         ->default_str(std::string(options.study->name));
     app.add_option("--filter", options.filter,
                    "measure only configurations whose names have one of these parts, separated by commas; a part with "

@@ -38,9 +38,6 @@ struct Options {
     std::pair<int, int> picture_size() const { return size.value_or(std::pair(study->width, study->height)); }
 };
 
-// Returns the parts of a text that commas separate.
-std::vector<std::string> parts_of(std::string_view text);
-
 // Parses a list of backends, separated by commas, and opens them; `all`: an empty list. Throws InputError for an
 // unknown name.
 std::vector<std::string> parse_backends(Registry& registry, std::string_view text);

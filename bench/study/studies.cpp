@@ -2,6 +2,7 @@
 #include "bench/study/studies.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <tuple>
@@ -10,6 +11,7 @@
 
 #include "bench/base/table.h"
 #include "bench/study/views.h"
+#include "core/base/text.h"
 #include "core/base/cores.h"
 #include "core/base/error.h"
 
@@ -214,7 +216,7 @@ const Study& study_named(std::string_view name)
     const auto found = std::ranges::find(studies(), name, &Study::name);
     if (found != studies().end()) return *found;
     throw InputError(
-        fmt::format("--study: '{}' given, expected one of {}", name, joined(studies(), ", ", &Study::name)));
+        fmt::format("--study: '{}' given, expected one of {}", name, fmt::join(mapped(studies(), &Study::name), ", ")));
 }
 
 }  // namespace mandelmarch::bench

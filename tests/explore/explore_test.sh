@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # explore_test.sh BIN [SHIM]: tests the explorer in a window on an X server of its own; parts_test.cpp tests its model.
-# The explorer flies, compares, records a path that flythrough accepts, and survives a driver that dies. SHIM: the shim of OpenCL (tests/drivers). Without Xvfb, SDL's dummy window is used.
+# The explorer flies, compares, records a path that flythrough accepts, and survives a driver that dies. SHIM: the
+# stand-in for OpenCL of tests/drivers. Without Xvfb, SDL's dummy window is used.
 set -uo pipefail
 bin=$1
 shim=${2:-}

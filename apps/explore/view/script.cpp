@@ -18,7 +18,7 @@ namespace {
 constexpr int longest = 1'000'000;  // frames that a key is held, at most
 
 struct ScriptLine {
-    std::string name;     // of an action or a command
+    std::string name;     // an action or a command
     SDL_Keycode key = 0;  // the key that `hold` holds
     int frames = 0;       // the frames for which it does
     int frame = 0;        // number of frames since the line began
