@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "bench/harness/interruption.h"
 #include "bench/study/cases.h"
 #include "core/base/error.h"
 
@@ -82,7 +83,7 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
         }
     }
     std::vector<Peak> peaks;
-    for (std::size_t i = 0; i < asked.size(); ++i) {
+    for (std::size_t i = 0; i < asked.size() && interrupted() == 0; ++i) {
         Peak& peak = asked[i].peak;
         phase({"multiply-add peaks", static_cast<double>(i) / static_cast<double>(asked.size()),
                fmt::format("{} {}", peak.backend, name_of(peak.precision))});
