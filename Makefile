@@ -66,7 +66,7 @@ test-all: ## tests of all instruction sets, processors, models, simulated GPUs a
 cross: ## exact pictures by emulated ARM, RISC-V and big-endian processors, compared bit for bit (6 min with set-up and builds)
 	@tools/setup cross
 	@tools/build $(HERE) render imgdiff
-	@for arch in $(CROSS); do bash tests/siblings/cross.sh build/$(HERE)/bin $$arch || exit 1; done
+	@for arch in $(CROSS); do bash tests/builds/cross.sh build/$(HERE)/bin $$arch || exit 1; done
 
 # DRIVERS=OFF leaves out drivers for CPUs; FFMPEG=FILE bundles a static ffmpeg. See docs/bundle.md.
 DRIVERS ?= ON

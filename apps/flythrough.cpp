@@ -11,24 +11,25 @@
 #include <utility>
 #include <vector>
 
-#include "cli/backend_option.h"
+#include "apps/cli/backend_option.h"
 #include "apps/flythrough_options.h"
 #include "apps/flythrough_plan.h"
 #include "backends/all.h"
-#include "core/base/console.h"
-#include "core/base/cores.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/output_file.h"
+#include "core/text/console.h"
+#include "core/os/cores.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/output_file.h"
 #include "flight/audit/audit.h"
-#include "flight/plan/map.h"
+#include "flight/route/map.h"
 #include "flight/film/encoder.h"
 #include "flight/film/film.h"
 #include "flight/film/convergence.h"
 #include "flight/film/description.h"
 #include "flight/film/segment_store.h"
 #include "flight/path/path.h"
-#include "flight/plan/planner.h"
+#include "flight/ride/planner.h"
+#include "core/os/program.h"
 
 namespace {
 

@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <tuple>
 
-#include "cli/backend_option.h"
-#include "cli/option_values.h"
+#include "apps/cli/backend_option.h"
+#include "apps/cli/option_values.h"
 #include "apps/scene_options.h"
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/input_file.h"
-#include "core/base/number.h"
-#include "core/base/version.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/os/input_file.h"
+#include "core/text/number.h"
+#include "core/text/version.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/files.h"
+#include "core/os/files.h"
 #include "core/render/registry.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/chapters.h"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <string>
 
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/field/field.h"

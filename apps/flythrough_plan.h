@@ -3,7 +3,7 @@
 #pragma once
 
 #include "apps/flythrough_options.h"
-#include "flight/plan/planner.h"
+#include "flight/ride/planner.h"
 
 namespace mandelmarch {
 

@@ -6,16 +6,17 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.h"
-#include "cli/option_values.h"
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/output_file.h"
-#include "core/base/text.h"
-#include "core/base/version.h"
+#include "apps/cli/arguments.h"
+#include "apps/cli/option_values.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/output_file.h"
+#include "core/text/text.h"
+#include "core/text/version.h"
 #include "core/image/compare.h"
 #include "core/image/formats/image_file.h"
+#include "core/os/program.h"
 
 namespace {
 

@@ -7,20 +7,20 @@
 #include <optional>
 #include <tuple>
 
-#include "cli/backend_option.h"
-#include "cli/option_values.h"
-#include "cli/progress_bar.h"
+#include "apps/cli/backend_option.h"
+#include "apps/cli/option_values.h"
+#include "core/os/progress_bar.h"
 #include "apps/renderer_options.h"
 #include "apps/scene_json.h"
 #include "apps/scene_options.h"
 #include "apps/stats.h"
 #include "apps/survey.h"
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/memory.h"
-#include "core/base/output_file.h"
-#include "core/base/text.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/memory.h"
+#include "core/os/output_file.h"
+#include "core/text/text.h"
 #include "core/image/averaged.h"
 #include "core/image/formats/image_file.h"
 #include "core/render/region.h"
@@ -29,7 +29,7 @@
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/image/image.h"
-#include "instruments/trace.h"
+#include "core/instruments/trace.h"
 
 namespace mandelmarch {
 namespace {

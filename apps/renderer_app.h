@@ -3,7 +3,8 @@
 #pragma once
 
 #include "backends/all.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
+#include "core/os/program.h"
 
 namespace mandelmarch {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "apps/scene_options.h"
-#include "cli/backend_option.h"
-#include "cli/option_values.h"
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/version.h"
+#include "apps/cli/backend_option.h"
+#include "apps/cli/option_values.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/text/version.h"
 #include "core/image/image.h"
 #include "core/render/trial.h"
 

@@ -9,10 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "cli/arguments.h"
-#include "cli/option_values.h"
-#include "core/base/text.h"
-#include "core/base/error.h"
+#include "apps/cli/arguments.h"
+#include "apps/cli/option_values.h"
+#include "core/text/text.h"
+#include "core/text/error.h"
 #include "core/render/backend.h"
 #include "core/scene/fractal.h"
 #include "core/scene/scene.h"

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/output_file.h"
+#include "core/os/output_file.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/stereo.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"
-#include "instruments/trace.h"
+#include "core/instruments/trace.h"
 
 namespace mandelmarch {
 namespace {

@@ -9,10 +9,10 @@
 #include <span>
 #include <string_view>
 
-#include "core/base/cores.h"
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/os/cores.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 #include "core/isolation/isolated.h"
 
 namespace mandelmarch {

@@ -11,18 +11,19 @@
 
 #include "backends/all.h"
 #include "bench/command/display.h"
-#include "bench/harness/verify.h"
+#include "bench/measure/verify.h"
 #include "bench/print/demo_table.h"
 #include "bench/result/figures.h"
-#include "cli/arguments.h"
-#include "cli/option_values.h"
-#include "core/base/cores.h"
-#include "core/base/cpu.h"
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/output_file.h"
-#include "core/base/version.h"
+#include "apps/cli/arguments.h"
+#include "apps/cli/option_values.h"
+#include "core/os/cores.h"
+#include "core/os/cpu.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/os/output_file.h"
+#include "core/text/version.h"
 #include "core/image/formats/image_file.h"
+#include "core/os/program.h"
 
 namespace {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/program.h"
 
-#include "cli/arguments.h"
-#include "cli/backend_option.h"
+#include "apps/cli/arguments.h"
+#include "apps/cli/backend_option.h"
 #include "bench/command/commands.h"
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/version.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/text/version.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -18,7 +18,7 @@ endfunction()
 
 # mandelmarch_gpu_model(NAME DRIVER FUNCTION DEVICE FILE CODE TEXT NEEDED TEXT COMPILER WORD... COMMAND WORD...
 #     OPTION TEXT IMAGES NAME... EXACT FLAG... FAST FLAG... [DEFINITIONS DEFINITION...]): adds the target
-# mandelmarch_NAME. FUNCTION of core/job/driver.h returns the driver. FILE exists on a machine that has such a GPU. CODE
+# mandelmarch_NAME. FUNCTION of core/gpu/driver.h returns the driver. FILE exists on a machine that has such a GPU. CODE
 # describes the code of the kernels, and NEEDED what can load it. COMMAND with the FLAGs of a mode compiles a source;
 # OPTION, followed by the name of an image, makes the command write this image.
 function(mandelmarch_gpu_model model)

@@ -45,7 +45,7 @@ endif()
 list(TRANSFORM MANDELMARCH_BUILT PREPEND mandelmarch_ OUTPUT_VARIABLE backend_targets)
 install(TARGETS mandelmarch_core mandelmarch_instruments mandelmarch_version mandelmarch_backends mandelmarch_warnings ${backend_targets}
     EXPORT mandelmarch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/instruments ${PROJECT_SOURCE_DIR}/backends
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/backends
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mandelmarch FILES_MATCHING PATTERN "*.h" PATTERN "core/scene/fractals" EXCLUDE)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mandelmarch)
 install(EXPORT mandelmarch NAMESPACE mandelmarch:: FILE mandelmarchTargets.cmake DESTINATION ${package_folder})

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/environment.h"
+#include "core/text/environment.h"
 
 namespace mandelmarch {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "packaging/carried.h"
 
 #define PROGRAM(name) int name##_main(int argc, char** argv);

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The wide tests. They link each library alone, build the project with other presets, bundle it, run GPU kernels on a
 # simulated GPU, or call NVIDIA's assembler.
-add_subdirectory(libraries)
-add_subdirectory(registration)
+add_subdirectory(builds/libraries)
+add_subdirectory(backends)
 find_program(MANDELMARCH_PATCHELF patchelf)
 if(MANDELMARCH_PATCHELF OR DEFINED ENV{CI})
     mandelmarch_cases(packaging packaging/bundle_test.sh WIDE bundle ARGUMENTS ${PROJECT_BINARY_DIR} ${source})
@@ -43,14 +43,14 @@ if(TARGET mandelmarch_cuda AND TARGET mandelmarch_openacc AND TARGET mandelmarch
         ARGUMENTS ${bin} ${source} ${CMAKE_CURRENT_BINARY_DIR}/simulated_gpu/cuda ${Python3_EXECUTABLE})
     set_tests_properties(packaging.gpu_check PROPERTIES FIXTURES_REQUIRED cuda_gpu)
 endif()
-mandelmarch_script(install.consumer siblings/consumer.sh WIDE ARGUMENTS ${PROJECT_BINARY_DIR})
-set_tests_properties(install.consumer PROPERTIES WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/siblings)
-mandelmarch_script(subproject siblings/subproject.sh WIDE ARGUMENTS ${source})
+mandelmarch_script(install.consumer install/consumer.sh WIDE ARGUMENTS ${PROJECT_BINARY_DIR})
+set_tests_properties(install.consumer PROPERTIES WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/install)
+mandelmarch_script(subproject builds/subproject.sh WIDE ARGUMENTS ${source})
 
 # mandelmarch_sibling(PRESET COST TARGET...): adds a test that builds the targets with another preset. Builds with a
 # higher COST start first.
 function(mandelmarch_sibling preset cost)
-    mandelmarch_script(build.${preset} siblings/build.sh WIDE ARGUMENTS ${preset} ${ARGN})
+    mandelmarch_script(build.${preset} builds/build.sh WIDE ARGUMENTS ${preset} ${ARGN})
     set_tests_properties(build.${preset} PROPERTIES FIXTURES_SETUP ${preset} RESOURCE_LOCK build TIMEOUT 2400 COST ${cost}
         WORKING_DIRECTORY ${source})
 endfunction()
@@ -66,7 +66,7 @@ mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mande
 mandelmarch_sibling(tsan 2 same_bits_test data_race)
 mandelmarch_sibling(fractal 3 bench ${micro} render flythrough imgdiff every_fractal_test equivalence_test)
 set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
-mandelmarch_script(same_bits.compilers siblings/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
+mandelmarch_script(same_bits.compilers builds/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
 set_tests_properties(same_bits.compilers PROPERTIES FIXTURES_REQUIRED clang WORKING_DIRECTORY ${source})
 mandelmarch_cases(omptarget.clang omptarget/clang_test.sh WIDE bits plugin
     ARGUMENTS ${bin} ${source} ${source}/build/clang/bin)
@@ -82,7 +82,7 @@ foreach(pair arm64:aarch64 riscv64:riscv64 s390x:s390x)
     mark_as_advanced(MANDELMARCH_CXX_${arch} MANDELMARCH_EMULATOR_${arch})
     if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND (DEFINED ENV{CI} OR
             (MANDELMARCH_MMDEBSTRAP AND MANDELMARCH_CXX_${arch} AND MANDELMARCH_EMULATOR_${arch})))
-        mandelmarch_script(same_bits.${arch} siblings/cross.sh WIDE ARGUMENTS ${bin} ${arch})
+        mandelmarch_script(same_bits.${arch} builds/cross.sh WIDE ARGUMENTS ${bin} ${arch})
         set_tests_properties(same_bits.${arch} PROPERTIES RESOURCE_LOCK build TIMEOUT 2400 WORKING_DIRECTORY ${source})
     endif()
 endforeach()

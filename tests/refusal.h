@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 

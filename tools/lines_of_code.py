@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """lines_of_code.py [FOLDER]: prints, as JSON, the number of lines of code that each backend of a source tree needs: those
-of the files in its folder, and of those files in core/kernel and core/job that its sources name, directly or
+of the files in its folder, and of those files in core/kernel and core/models that its sources name, directly or
 indirectly. Blank lines and comments do not count; lines that the preprocessor skips do. Backends that do not compile
 core/kernel (the reference) are left out."""
 import json
@@ -9,7 +9,7 @@ import os
 import re
 import sys
 
-KERNEL, JOB = "core/kernel/", "core/job/"
+KERNEL, JOB = "core/kernel/", "core/models/"
 SOURCE = re.compile(r"[A-Za-z0-9_./-]+\.(?:h|cpp|cl|comp|cu|in)\b")
 STRING_OR_COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"?|//[^\n]*|/\*.*?(?:\*/|\Z)', re.S)
 
@@ -41,7 +41,7 @@ def needed(backend):
     own, lines = f"backends/{backend}/", {}
     for name in os.listdir(own):
         visit(own + name, own, lines)
-    # A backend that uses core/job needs all of it, except a template for which the backend has its own.
+    # A backend that uses core/models needs all of it, except a template for which the backend has its own.
     for name in os.listdir(JOB) if any(name.startswith(JOB) for name in lines) else []:
         if not (name.endswith(".in") and os.path.exists(own + name)):
             visit(JOB + name, own, lines)

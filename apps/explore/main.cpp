@@ -12,14 +12,15 @@
 #include "apps/explore/view/explorer.h"
 #include "apps/explore/view/script.h"
 #include "backends/all.h"
-#include "cli/arguments.h"
-#include "cli/option_values.h"
-#include "core/base/console.h"
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/version.h"
+#include "apps/cli/arguments.h"
+#include "apps/cli/option_values.h"
+#include "core/text/console.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/text/version.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/os/program.h"
 
 namespace {
 

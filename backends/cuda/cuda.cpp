@@ -7,9 +7,9 @@
 #include <mutex>
 
 #include "backends/cuda/module.h"
-#include "core/base/error.h"
-#include "core/base/text.h"
-#include "core/job/model.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
+#include "core/models/model.h"
 
 namespace mandelmarch {
 namespace MM_MODEL {

@@ -9,8 +9,8 @@
 #include <mutex>
 #include <vector>
 
-#include "core/job/driver.h"
-#include "core/job/job.h"
+#include "core/gpu/driver.h"
+#include "core/models/job.h"
 #include "core/render/backend.h"
 
 // Directives of the assembler for the bytes of an image. cuda: PTX, which ends with a zero byte. hip: a bundle of code

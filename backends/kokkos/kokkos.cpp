@@ -5,9 +5,9 @@
 #include <Kokkos_Core.hpp>
 
 #include "backends/kokkos/loop.h"
-#include "core/base/cores.h"
-#include "core/base/cpu.h"
-#include "core/job/model.h"
+#include "core/os/cores.h"
+#include "core/os/cpu.h"
+#include "core/models/model.h"
 
 namespace mandelmarch {
 namespace kokkos {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/job/model.h"
+#include "core/models/model.h"
 
 namespace mandelmarch::omptarget {
 

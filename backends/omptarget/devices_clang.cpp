@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "backends/omptarget/devices.h"
-#include "core/base/cores.h"
+#include "core/os/cores.h"
 
 namespace mandelmarch::omptarget {
 namespace {

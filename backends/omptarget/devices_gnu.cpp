@@ -7,8 +7,8 @@
 #include <string>
 
 #include "backends/omptarget/devices.h"
-#include "core/base/text.h"
-#include "core/job/driver.h"
+#include "core/text/text.h"
+#include "core/gpu/driver.h"
 
 namespace mandelmarch::omptarget {
 namespace {

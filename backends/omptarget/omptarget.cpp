@@ -13,10 +13,10 @@
 
 #include "backends/omptarget/devices.h"
 #include "backends/omptarget/shape.h"
-#include "core/base/cores.h"
-#include "core/base/error.h"
-#include "core/job/model.h"
-#include "core/job/driver.h"
+#include "core/os/cores.h"
+#include "core/text/error.h"
+#include "core/models/model.h"
+#include "core/gpu/driver.h"
 
 extern "C" {
 extern const char mandelmarch_omptarget_library[];

@@ -4,7 +4,7 @@
 
 #include <omp.h>
 
-#include "core/job/job.h"
+#include "core/models/job.h"
 
 namespace mandelmarch::omptarget {
 

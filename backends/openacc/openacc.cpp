@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <openacc.h>
 
-#include "core/base/text.h"
-#include "core/job/model.h"
-#include "core/job/driver.h"
+#include "core/text/text.h"
+#include "core/models/model.h"
+#include "core/gpu/driver.h"
 
 namespace mandelmarch {
 namespace openacc {

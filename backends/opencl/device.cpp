@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/base/cores.h"
-#include "core/base/environment.h"
-#include "core/base/text.h"
+#include "core/os/cores.h"
+#include "core/text/environment.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::opencl {
 namespace {

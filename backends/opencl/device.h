@@ -15,7 +15,7 @@
 #include <CL/opencl.hpp>
 #pragma GCC diagnostic pop
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::opencl {

@@ -9,7 +9,7 @@
 
 #include "backends/opencl/device.h"
 #include "backends/opencl/session.h"
-#include "core/base/stopwatch.h"
+#include "core/os/stopwatch.h"
 #include "core/image/tile.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "backends/opencl/executor.h"
-#include "core/base/environment.h"
-#include "core/base/files.h"
-#include "core/base/memory.h"
+#include "core/text/environment.h"
+#include "core/os/files.h"
+#include "core/os/memory.h"
 #include "core/render/peak.h"
 #include "core/render/spacing.h"
 #include "core/scene/fractal.h"

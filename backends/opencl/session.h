@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "backends/opencl/device.h"
+#include "core/text/environment.h"
 
 namespace mandelmarch::opencl {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <hwy/targets.h>
 
-#include "core/base/environment.h"
-#include "core/base/error.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::openmp {
 

@@ -19,18 +19,19 @@
 #include <set>
 #include <sstream>
 
-#include "core/base/child_process.h"
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/input_file.h"
-#include "core/base/json.h"
-#include "core/base/output_file.h"
-#include "core/base/text.h"
+#include "core/os/child_process.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/input_file.h"
+#include "core/text/json.h"
+#include "core/os/output_file.h"
+#include "core/text/text.h"
 #include "core/image/formats/image_file.h"
 #include "core/render/backend.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/text/environment.h"
 
 namespace mandelmarch {
 namespace {

@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "backends/reference/estimators.h"
-#include "core/base/cpu.h"
-#include "core/base/error.h"
-#include "core/base/stopwatch.h"
+#include "core/os/cpu.h"
+#include "core/text/error.h"
+#include "core/os/stopwatch.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "backends/skeleton/kernel.h"
-#include "core/base/error.h"
-#include "core/base/stopwatch.h"
+#include "core/text/error.h"
+#include "core/os/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/scene/fractal.h"

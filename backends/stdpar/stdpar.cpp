@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
-#include "core/base/cores.h"
-#include "core/base/cpu.h"
-#include "core/job/model.h"
+#include "core/os/cores.h"
+#include "core/os/cpu.h"
+#include "core/models/model.h"
 
 namespace mandelmarch {
 namespace stdpar {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "backends/vulkan/gpu.h"
-#include "core/base/stopwatch.h"
+#include "core/os/stopwatch.h"
+#include "core/text/environment.h"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/base/cores.h"
-#include "core/base/memory.h"
-#include "core/base/text.h"
+#include "core/os/cores.h"
+#include "core/os/memory.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::vulkan {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::vulkan {

@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <iterator>
 
-#include "core/base/environment.h"
-#include "core/base/hash.h"
-#include "core/base/input_file.h"
-#include "core/base/output_file.h"
+#include "core/text/environment.h"
+#include "core/text/hash.h"
+#include "core/os/input_file.h"
+#include "core/os/output_file.h"
 
 namespace mandelmarch::vulkan {
 namespace {

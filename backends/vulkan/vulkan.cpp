@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "backends/vulkan/executor.h"
-#include "core/base/cores.h"
-#include "core/base/files.h"
+#include "core/os/cores.h"
+#include "core/os/files.h"
 #include "core/render/peak.h"
 #include "core/scene/fractal.h"
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "cli/progress_bar.h"
-#include "bench/harness/runner.h"
-#include "core/base/console.h"
-#include "core/base/stopwatch.h"
+#include "core/os/progress_bar.h"
+#include "bench/measure/runner.h"
+#include "core/text/console.h"
+#include "core/os/stopwatch.h"
 
 namespace mandelmarch::bench {
 

@@ -4,23 +4,23 @@
 #include <csignal>
 #include <memory>
 
-#include "cli/arguments.h"
-#include "cli/option_values.h"
+#include "apps/cli/arguments.h"
+#include "apps/cli/option_values.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
 #include "bench/command/outputs.h"
-#include "bench/files/result_file.h"
+#include "bench/result/result_file.h"
 #include "bench/print/printers.h"
-#include "bench/base/table.h"
-#include "bench/harness/interruption.h"
-#include "bench/harness/peaks.h"
-#include "bench/machine/environment.h"
-#include "bench/harness/runs.h"
-#include "bench/harness/session.h"
+#include "bench/statistics/table.h"
+#include "bench/measure/interruption.h"
+#include "bench/measure/peaks.h"
+#include "bench/measure/environment.h"
+#include "bench/measure/runs.h"
+#include "bench/measure/session.h"
 #include "bench/print/demo_table.h"
-#include "bench/study/cases.h"
-#include "core/base/error.h"
-#include "core/base/text.h"
+#include "bench/measure/cases.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/output_file.h"
-#include "core/base/text.h"
-#include "core/base/version.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/output_file.h"
+#include "core/text/text.h"
+#include "core/text/version.h"
 
 namespace mandelmarch::bench {
 

@@ -5,17 +5,17 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/option_values.h"
+#include "apps/cli/option_values.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
-#include "bench/scenes/equivalence.h"
+#include "bench/fidelity/equivalence.h"
 #include "bench/command/outputs.h"
-#include "bench/scenes/random_scenes.h"
-#include "bench/files/result_file.h"
-#include "bench/machine/environment.h"
-#include "bench/study/options.h"
-#include "core/base/error.h"
-#include "core/base/output_file.h"
+#include "bench/fidelity/random_scenes.h"
+#include "bench/result/result_file.h"
+#include "bench/measure/environment.h"
+#include "bench/measure/options.h"
+#include "core/text/error.h"
+#include "core/os/output_file.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kinds of files that bench writes: their JSON Schemas and their derived figures, both from the descriptions of
-// their records (bench/files/fields.h).
+// their records (bench/result/fields.h).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
 #include "bench/command/commands.h"
-#include "bench/files/result_fields.h"
-#include "bench/files/result_file.h"
-#include "bench/scenes/scene_fields.h"
-#include "core/base/console.h"
-#include "core/base/error.h"
+#include "bench/result/result_fields.h"
+#include "bench/result/result_file.h"
+#include "bench/fidelity/scene_fields.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::bench {
 namespace {

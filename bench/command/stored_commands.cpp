@@ -7,15 +7,15 @@
 #include <set>
 
 #include "bench/command/commands.h"
-#include "bench/judge/compare.h"
-#include "bench/judge/differences.h"
+#include "bench/result/compare.h"
+#include "bench/result/differences.h"
 #include "bench/command/outputs.h"
-#include "bench/judge/portability.h"
-#include "bench/files/result_file.h"
+#include "bench/result/portability.h"
+#include "bench/result/result_file.h"
 #include "bench/print/printers.h"
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {

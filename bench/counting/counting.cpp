@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "bench/base/statistics.h"
-#include "core/base/error.h"
+#include "bench/statistics/statistics.h"
+#include "core/text/error.h"
 #include "core/scene/fractal.h"
 #include "flight/field/threads.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the arithmetic operations of a picture (instruments/operations.h).
+// Counts the arithmetic operations of a picture (core/instruments/operations.h).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 #include "bench/counting/lanes.h"
 #include "bench/counting/sample.h"
 #include "core/render/backend.h"
-#include "instruments/operations.h"
+#include "core/instruments/operations.h"
 
 namespace mandelmarch::bench {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bench/base/statistics.h"
+#include "bench/statistics/statistics.h"
 
 namespace mandelmarch::bench {
 

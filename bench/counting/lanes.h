@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "instruments/operations.h"
+#include "core/instruments/operations.h"
 
 namespace mandelmarch::bench {
 

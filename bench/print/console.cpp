@@ -6,9 +6,9 @@
 #include <set>
 
 #include "bench/print/printers.h"
-#include "bench/base/table.h"
+#include "bench/statistics/table.h"
 #include "bench/result/figures.h"
-#include "bench/judge/winners.h"
+#include "bench/result/winners.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {

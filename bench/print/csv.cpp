@@ -4,7 +4,7 @@
 
 #include "bench/result/figures.h"
 #include "bench/print/printers.h"
-#include "bench/files/result_fields.h"
+#include "bench/result/result_fields.h"
 
 namespace mandelmarch::bench {
 namespace {

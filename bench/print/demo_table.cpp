@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/base/cores.h"
-#include "core/base/cpu.h"
+#include "core/os/cores.h"
+#include "core/os/cpu.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <map>
 
-#include "bench/base/table.h"
-#include "bench/judge/portability.h"
+#include "bench/statistics/table.h"
+#include "bench/result/portability.h"
 #include "bench/print/printers.h"
-#include "core/base/text.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -19,7 +19,7 @@ std::string study_tables(const Result& result);
 // Returns CSV with one line per configuration. The first columns are problem, application, platform and fom (pixels per
 // second of kernel time, higher is better; empty without a speed). The columns application and backend both hold
 // Row::application, so that a pivot table by either column compares the same programs. p3-analysis-library needs
-// another CSV, to_csv() of bench/judge/portability.h.
+// another CSV, to_csv() of bench/result/portability.h.
 std::string to_csv(const Result& result);
 
 // Returns the name of a problem, which all comparable configurations share: "mandelbulb double exact 540x540".

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bench/base/table.h"
+#include "bench/statistics/table.h"
 #include "bench/print/printers.h"
 #include "bench/result/figures.h"
 

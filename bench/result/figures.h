@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "bench/result/result.h"
-#include "bench/base/statistics.h"
+#include "bench/statistics/statistics.h"
 
 namespace mandelmarch::bench {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/counting/counting.h"
-#include "bench/base/statistics.h"
+#include "bench/statistics/statistics.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::bench {
@@ -179,7 +179,7 @@ struct Result {
     std::string study;
     std::uint64_t seed = 0;
     int runs = 1;            // number of runs that left samples
-    bool moved_eye = false;  // each round had other views (bench/harness/moving_eye.h)
+    bool moved_eye = false;  // each round had other views (bench/measure/moving_eye.h)
     nlohmann::ordered_json environment = nlohmann::ordered_json::object();
     std::vector<std::string> warnings;
     std::vector<Peak> peaks;

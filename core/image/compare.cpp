@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

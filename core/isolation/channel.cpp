@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::isolation {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/descriptor.h"
+#include "core/os/descriptor.h"
 
 namespace mandelmarch::isolation {
 

@@ -15,11 +15,11 @@
 #include <new>
 #include <set>
 
-#include "core/base/console.h"
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/stopwatch.h"
-#include "core/base/text.h"
+#include "core/text/console.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/os/stopwatch.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::isolation {
 namespace {

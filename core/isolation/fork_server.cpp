@@ -15,10 +15,11 @@
 #include <cstring>
 #include <set>
 
-#include "core/base/child_process.h"
-#include "core/base/console.h"
-#include "core/base/error.h"
+#include "core/os/child_process.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
 #include "core/isolation/message.h"
+#include "core/text/environment.h"
 
 namespace mandelmarch::isolation {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <mutex>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/isolation/device_process.h"
 #include "core/isolation/shared_memory.h"
 #include "core/isolation/worker.h"

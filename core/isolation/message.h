@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::isolation {
 

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <new>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::isolation {
 namespace {

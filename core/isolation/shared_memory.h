@@ -6,7 +6,7 @@
 #include <memory_resource>
 
 #include "core/image/image.h"
-#include "core/base/descriptor.h"
+#include "core/os/descriptor.h"
 
 namespace mandelmarch::isolation {
 

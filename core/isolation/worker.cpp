@@ -7,8 +7,8 @@
 #include <map>
 #include <new>
 
-#include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 #include "core/isolation/codec.h"
 #include "core/isolation/shared_memory.h"
 

@@ -8,8 +8,8 @@
 #include <array>
 #include <vector>
 
-#include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch {
 namespace {

@@ -62,7 +62,7 @@ struct RendererOptions {
     int device = 0;  // index into Backend::devices()
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
-    int threads = 0;     // for backends on the host's cores; 0: usable_threads() (core/base/cores.h)
+    int threads = 0;     // for backends on the host's cores; 0: usable_threads() (core/os/cores.h)
     int simd_width = 0;  // pixels computed at once on a core; 0: the backend's choice
     int chunk = 0;       // tiles that a host thread takes at a time, only for openmp; 0: the backend's choice
     int band = 0;        // max pixels per pass of a device; 0: the backend's choice

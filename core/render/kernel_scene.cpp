@@ -7,7 +7,7 @@
 #include <numbers>
 #include <type_traits>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/spacing.h"
 #include "core/render/stepping.h"
 #include "core/scene/fractal.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -37,7 +37,7 @@ struct Loops {
 
 struct LoopLimit {
     std::int64_t survived;  // max loop iterations of an invocation in a pass that the device survives
-    Loops of_scene;         // counted by loops_of() of instruments/loops.h
+    Loops of_scene;         // counted by loops_of() of core/instruments/loops.h
 };
 
 // Max steps of a cone, as in core/kernel/stepping.h.

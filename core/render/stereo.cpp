@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/kernel_scene.h"
 
 namespace mandelmarch {

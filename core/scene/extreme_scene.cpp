@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/scene/scene_random.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"

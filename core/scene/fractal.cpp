@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/text.h"
+#include "core/text/text.h"
 #include "core/scene/fractal.h"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <tuple>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/scene/descriptor.h"
 #include "core/scene/scene.h"
 

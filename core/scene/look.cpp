@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/error.h"
-#include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/text/error.h"
+#include "core/text/number.h"
+#include "core/text/text.h"
 #include "core/scene/scene.h"
 
 namespace mandelmarch {

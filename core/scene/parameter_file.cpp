@@ -9,11 +9,11 @@
 #include <iterator>
 #include <optional>
 
-#include "core/base/error.h"
-#include "core/base/input_file.h"
+#include "core/text/error.h"
+#include "core/os/input_file.h"
 #include "core/scene/fractal.h"
-#include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/text/number.h"
+#include "core/text/text.h"
 #include "core/image/image.h"
 
 namespace mandelmarch {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {

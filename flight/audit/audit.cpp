@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/base/version.h"
+#include "core/text/version.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/motion.h"
 #include "flight/audit/runs.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "flight/audit/motion.h"
 #include "flight/audit/runs.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/quantile.h"
+#include "core/text/quantile.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "flight/path/measures.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/quantile.h"
+#include "core/text/quantile.h"
 #include "flight/field/threads.h"
 
 namespace mandelmarch {

@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/cores.h"
-#include "core/base/error.h"
+#include "core/os/cores.h"
+#include "core/text/error.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/field/threads.h"

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/cores.h"
+#include "core/os/cores.h"
 
 namespace mandelmarch {
 namespace {

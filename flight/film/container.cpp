@@ -11,9 +11,9 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/base/error.h"
-#include "core/base/input_file.h"
-#include "core/base/output_file.h"
+#include "core/text/error.h"
+#include "core/os/input_file.h"
+#include "core/os/output_file.h"
 
 namespace mandelmarch {
 namespace {

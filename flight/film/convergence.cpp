@@ -8,11 +8,11 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/quantile.h"
+#include "core/text/quantile.h"
 #include "core/image/compare.h"
 #include "flight/audit/views.h"
 #include "flight/field/threads.h"
-#include "flight/plan/random.h"
+#include "flight/route/random.h"
 
 namespace mandelmarch {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/environment.h"
-#include "core/base/text.h"
-#include "core/base/version.h"
+#include "core/text/environment.h"
+#include "core/text/text.h"
+#include "core/text/version.h"
 #include "core/scene/fractal.h"
 #include "flight/film/stamp.h"
 

@@ -13,9 +13,9 @@
 #include <iterator>
 #include <sstream>
 
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/number.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/text/number.h"
 #include "flight/film/title.h"
 
 namespace mandelmarch {

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/child_process.h"
+#include "core/os/child_process.h"
 #include "flight/film/container.h"
 #include "flight/path/path.h"
 

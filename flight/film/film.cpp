@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <tuple>
 
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/input_file.h"
-#include "core/base/output_file.h"
-#include "core/base/stopwatch.h"
-#include "core/base/temporary_path.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/input_file.h"
+#include "core/os/output_file.h"
+#include "core/os/stopwatch.h"
+#include "core/os/temporary_path.h"
 #include "flight/film/description.h"
 #include "flight/film/container.h"
 #include "flight/film/encoder.h"

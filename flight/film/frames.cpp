@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/error.h"
-#include "core/base/memory.h"
+#include "core/text/error.h"
+#include "core/os/memory.h"
 #include "core/render/stereo.h"
 #include "flight/field/field.h"
 #include "flight/film/shrink.h"

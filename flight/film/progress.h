@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/progress_bar.h"
-#include "core/base/console.h"
+#include "core/os/progress_bar.h"
+#include "core/text/console.h"
 
 namespace mandelmarch {
 

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "flight/film/ranks.h"
 
 namespace mandelmarch {

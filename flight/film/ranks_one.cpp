@@ -7,10 +7,10 @@
 #include <iterator>
 #include <string>
 
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/text/number.h"
+#include "core/text/text.h"
 #include "flight/film/ranks.h"
 
 namespace mandelmarch {

@@ -12,11 +12,11 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/input_file.h"
-#include "core/base/output_file.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/input_file.h"
+#include "core/os/output_file.h"
 
 namespace mandelmarch {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "core/base/descriptor.h"
+#include "core/os/descriptor.h"
 #include "flight/film/stamp.h"
 
 namespace mandelmarch {

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "core/base/input_file.h"
-#include "core/base/output_file.h"
+#include "core/os/input_file.h"
+#include "core/os/output_file.h"
 
 namespace mandelmarch {
 namespace {

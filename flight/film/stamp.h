@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/base/hash.h"
+#include "core/text/hash.h"
 
 namespace mandelmarch {
 

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/output_file.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/output_file.h"
 #include "core/image/formats/image_file.h"
 #include "flight/film/description.h"
 #include "flight/film/film.h"

@@ -14,9 +14,9 @@
 #include <span>
 #include <string_view>
 
-#include "core/base/environment.h"
-#include "core/base/error.h"
-#include "core/base/output_file.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/os/output_file.h"
 
 namespace mandelmarch {
 namespace {

@@ -11,10 +11,10 @@
 #include <span>
 #include <string_view>
 
-#include "core/base/error.h"
-#include "core/base/input_file.h"
-#include "core/base/json.h"
-#include "core/base/text.h"
+#include "core/text/error.h"
+#include "core/os/input_file.h"
+#include "core/text/json.h"
+#include "core/text/text.h"
 #include "core/scene/fractal.h"
 #include "flight/path/path.h"
 

@@ -8,10 +8,10 @@
 #include <cctype>
 #include <cmath>
 
-#include "core/base/error.h"
-#include "core/base/input_file.h"
-#include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/text/error.h"
+#include "core/os/input_file.h"
+#include "core/text/number.h"
+#include "core/text/text.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {

@@ -105,10 +105,10 @@ class Answers:
         """Returns the place of each verdict that a backend is slower than the host. Includes only cases (fractal,
         precision, mode) in which the host is the fastest backend."""
         return [
-            f"{bench.name}#/winners/{at}/rivals/{k}/verdict"
-            for at, (contest, fastest) in enumerate(zip(bench.data["winners"], bench.fastest()))
-            for k, rival in enumerate(contest["rivals"])
-            if fastest.backend == self.backends.host != bench.named(rival["name"]).backend and rival["verdict"] == "SLOWER"
+            f"{bench.name}#/winners/{at}/others/{k}/verdict"
+            for at, (ranking, fastest) in enumerate(zip(bench.data["winners"], bench.fastest()))
+            for k, other in enumerate(ranking["others"])
+            if fastest.backend == self.backends.host != bench.named(other["name"]).backend and other["verdict"] == "SLOWER"
         ]
 
     def _end(self, ratio: dict[str, Any]) -> dict[str, Any]:

@@ -170,7 +170,7 @@ class Bench:
 
     def fastest(self) -> list[Row]:
         """Returns a standard study's fastest row of each fractal, precision and mode."""
-        return [self.named(contest["fastest"]) for contest in self.data["winners"]]
+        return [self.named(ranking["fastest"]) for ranking in self.data["winners"]]
 
     def wins(self, backend: str) -> bool:
         return all(row.backend == backend for row in self.fastest())

@@ -101,7 +101,7 @@ def _replace(target: Path, data: bytes) -> None:
 
 
 def write_whole(path: Path, data: bytes) -> None:
-    """Writes a file so that readers never see a part of it, as OutputFile of core/base does: links are followed, the
+    """Writes a file so that readers never see a part of it, as OutputFile of core/os does: links are followed, the
     permissions of a replaced file are kept, and devices, pipes and standard output (also `-`) are written directly.
     Makes the folder."""
     try:

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "backends/openmp/openmp.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::bench {
 

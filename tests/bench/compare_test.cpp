@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `bench compare` on synthetic results with known differences.
-#include "bench/judge/compare.h"
+#include "bench/result/compare.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <functional>
 #include <random>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "made.h"
 
 namespace mandelmarch::bench {
@@ -148,17 +148,17 @@ TEST(Compare, AHalvingThatIsNotCertainIsUndecided)
 
 std::vector<Verdict> verdicts(const std::vector<Difference>& differences, double within)
 {
-    std::vector<Judged> judged;
+    std::vector<Compared> compared;
     for (const Difference& difference : differences) {
-        judged.push_back({.name = "row", .verdict = Verdict::undecided, .difference = difference});
+        compared.push_back({.name = "row", .verdict = Verdict::undecided, .difference = difference});
     }
-    judge(judged, within);
+    set_verdicts(compared, within);
     std::vector<Verdict> found;
-    for (const Judged& row : judged) found.push_back(row.verdict);
+    for (const Compared& row : compared) found.push_back(row.verdict);
     return found;
 }
 
-TEST(Judge, EachVerdict)
+TEST(Verdicts, EachVerdict)
 {
     const Difference same_within_two{.ratio = 1.001, .interval = {0.99, 1.012}, .p = 1};
     const Difference slower_alone{.ratio = 1.3, .interval = {1.05, 1.6}, .p = 0.02};
@@ -174,7 +174,7 @@ TEST(Judge, EachVerdict)
     EXPECT_EQ(verdicts({same_within_two}, 0.01)[0], Verdict::undecided) << "a narrower margin";
 }
 
-TEST(Judge, OnlySlowerWrongAndMissingAreRegressions)
+TEST(Verdicts, OnlySlowerWrongAndMissingAreRegressions)
 {
     for (const Verdict verdict : {Verdict::slower, Verdict::wrong, Verdict::missing}) {
         EXPECT_TRUE(regression({{.name = "row", .verdict = verdict}})) << name_of(verdict);
@@ -215,7 +215,7 @@ TEST(Compare, WhatLosesItsSpeedIsARegression)
         loss.change(after.rows[3]);
         const ComparedResults compared = compare_results(before, after);
         EXPECT_TRUE(regression(compared.rows));
-        const auto found = std::ranges::find(compared.rows, before.rows[3].name(), &Judged::name);
+        const auto found = std::ranges::find(compared.rows, before.rows[3].name(), &Compared::name);
         ASSERT_NE(found, compared.rows.end());
         EXPECT_EQ(found->verdict, loss.verdict);
         EXPECT_EQ(found->why, loss.why);

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "bench/study/views.h"
+#include "bench/measure/views.h"
 #include "core/render/peak.h"
 #include "tests/scenes.h"
 #include "backends/all.h"

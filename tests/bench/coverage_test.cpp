@@ -10,7 +10,7 @@
 #include <random>
 
 #include "bench/result/figures.h"
-#include "bench/judge/portability.h"
+#include "bench/result/portability.h"
 #include "made.h"
 
 namespace mandelmarch::bench {

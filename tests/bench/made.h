@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/judge/verdict.h"
+#include "bench/statistics/verdict.h"
 #include "bench/result/figures.h"
 
 namespace mandelmarch::bench {
@@ -42,10 +42,10 @@ inline Result made_result(std::vector<Row> rows, int runs = 1)
 }
 
 // Returns the number of rows whose verdict is `faster` or `slower`.
-inline int called(const std::vector<Judged>& rows)
+inline int called(const std::vector<Compared>& rows)
 {
-    return static_cast<int>(std::ranges::count(rows, Verdict::faster, &Judged::verdict) +
-                            std::ranges::count(rows, Verdict::slower, &Judged::verdict));
+    return static_cast<int>(std::ranges::count(rows, Verdict::faster, &Compared::verdict) +
+                            std::ranges::count(rows, Verdict::slower, &Compared::verdict));
 }
 
 // Returns true if a p-value is significant after Holm's correction.

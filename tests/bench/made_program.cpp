@@ -10,7 +10,7 @@
 #include <string>
 
 #include "backends/reference/reference.h"
-#include "core/base/output_file.h"
+#include "core/os/output_file.h"
 #include "core/image/formats/image_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/harness/peaks.h"
+#include "bench/measure/peaks.h"
 
 namespace mandelmarch {
 namespace {

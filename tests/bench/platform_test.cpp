@@ -7,13 +7,13 @@
 #include <fstream>
 #include <sstream>
 
-#include "bench/judge/compare.h"
-#include "bench/judge/differences.h"
-#include "bench/judge/platforms.h"
-#include "bench/judge/portability.h"
-#include "core/base/cpu.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
+#include "bench/result/compare.h"
+#include "bench/result/differences.h"
+#include "bench/result/platforms.h"
+#include "bench/result/portability.h"
+#include "core/os/cpu.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
 #include "made.h"
 
 namespace mandelmarch::bench {

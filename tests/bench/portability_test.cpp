@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pennycook's metric of performance portability, on examples whose result is known.
-#include "bench/judge/portability.h"
+#include "bench/result/portability.h"
 
 #include <gtest/gtest.h>
 

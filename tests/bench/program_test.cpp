@@ -15,9 +15,9 @@
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
 #include "bench/command/outputs.h"
-#include "bench/files/result_file.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
+#include "bench/result/result_file.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
 #include "tests/bench/broken_backend.h"
 
 namespace mandelmarch::bench {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `bench random` renders the same random scenes as the tests, and detects pictures beyond fast mode's limits.
-#include "bench/scenes/random_scenes.h"
+#include "bench/fidelity/random_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
-#include "bench/study/views.h"
-#include "core/base/error.h"
+#include "bench/measure/views.h"
+#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
 #include "tests/bench/broken_backend.h"

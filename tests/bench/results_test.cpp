@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "bench/files/result_file.h"
+#include "bench/result/result_file.h"
 #include "bench/print/printers.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "made.h"
 
 namespace mandelmarch::bench {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The samples of a study's runs are merged. Some runs may leave no result.
-#include "bench/harness/runs.h"
+#include "bench/measure/runs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "bench/result/figures.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "made.h"
 
 namespace mandelmarch::bench {

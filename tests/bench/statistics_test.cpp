@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statistics on values with known results.
-#include "bench/base/statistics.h"
+#include "bench/statistics/statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Telemetry of a simulated machine has values, or the reasons why they are missing.
-#include "bench/machine/telemetry.h"
+#include "bench/measure/telemetry.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "core/base/files.h"
+#include "core/os/files.h"
 
 namespace mandelmarch::bench {
 namespace {

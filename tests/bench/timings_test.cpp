@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/registry.h"
 #include "tests/scenes.h"
 

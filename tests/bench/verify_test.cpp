@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two configurations have the same expected picture only if their scenes, modes and precisions are equal.
-#include "bench/harness/verify.h"
+#include "bench/measure/verify.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All timed scenes must give nearly the same picture with any method of stepping along rays. If a picture is noise, its
 // speed means nothing.
-#include "bench/study/views.h"
+#include "bench/measure/views.h"
 
 #include <gtest/gtest.h>
 

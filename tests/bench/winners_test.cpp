@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The last lines of a study's output name the winners. Here the results are synthetic, with known winners.
-#include "bench/judge/winners.h"
+#include "bench/result/winners.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "bench/files/result_file.h"
+#include "bench/result/result_file.h"
 #include "bench/print/printers.h"
 #include "made.h"
 
@@ -48,7 +48,7 @@ TEST_P(Winners, AreNamedWithTheirLeadAndItsCertainty)
 }
 
 // Negative controls: there is no winner if the runs contradict each other, if the lead is within the margin, or if
-// there are few pictures. The scalar kernel counts as a rival, the reference does not.
+// there are few pictures. The scalar kernel counts as another configuration, the reference does not.
 INSTANTIATE_TEST_SUITE_P(
     Rows, Winners,
     testing::Values(Won{"Certain",
@@ -70,14 +70,14 @@ INSTANTIATE_TEST_SUITE_P(
                         {"openmp won, 10.00 times as fast as openmp-scalar ["}}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// A single run is judged by the medians of groups of rounds, as in compare.
-TEST(WinnersOfAStudy, OneRunIsJudgedByGroupsOfRounds)
+// A single run is compared by the medians of groups of rounds, as in compare.
+TEST(WinnersOfAStudy, OneRunIsComparedByGroupsOfRounds)
 {
     const auto found = json_of(made_result({raced("stdpar", 0.2, 0, 1), raced("openmp", 0.1, 0, 1)}))["winners"];
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0]["fastest"], "mandelbox/float/exact/openmp/0");
-    EXPECT_EQ(found[0]["rivals"][0]["verdict"], "SLOWER");
-    EXPECT_NEAR(found[0]["rivals"][0]["ratio"], 2, 1e-12);
+    EXPECT_EQ(found[0]["others"][0]["verdict"], "SLOWER");
+    EXPECT_NEAR(found[0]["others"][0]["ratio"], 2, 1e-12);
 }
 
 TEST(WinnersOfAStudy, EachFractalPrecisionAndModeHasALine)
@@ -92,7 +92,7 @@ TEST(WinnersOfAStudy, EachFractalPrecisionAndModeHasALine)
             }
         }
     }
-    EXPECT_EQ(contests_of(made_result(rows, 5)).size(), 4U);
+    EXPECT_EQ(rankings_of(made_result(rows, 5)).size(), 4U);
 }
 
 TEST(WinnersOfAStudy, TheLastLineSaysHowManyProcessorsWereFree)

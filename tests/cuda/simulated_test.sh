@@ -15,7 +15,7 @@ if [ $backend = hip ]; then
     library=libamdhip64.so.7
     vendor=AMD
     refusal="AMD's driver, HIP 6.2, does not load the kernels, which need a GPU gfx90a, gfx942"
-    names=$(sed -nE 's/.*"(cu\w+)", "(hip\w+)".*/\1=\2/p' "$source/core/job/driver.cpp")
+    names=$(sed -nE 's/.*"(cu\w+)", "(hip\w+)".*/\1=\2/p' "$source/core/gpu/driver.cpp")
     own() { sed -n "s/^$1=//p" <<<"$names"; }
     renamed=(-DSIMULATED_AMD $(sed 's/^/-D/' <<<"$names"))
     # kernels FOLDER [OPTION...]: compiles the kernels for the host, with more options of the compiler.

@@ -8,8 +8,8 @@
 
 #include "backends/openmp/openmp.h"
 #include "backends/reference/reference.h"
-#include "bench/scenes/equivalence.h"
-#include "core/base/error.h"
+#include "bench/fidelity/equivalence.h"
+#include "core/text/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "tests/equivalence/broken_kernels.h"

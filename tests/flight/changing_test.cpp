@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "flight/field/field.h"
-#include "flight/plan/planner.h"
-#include "flight/plan/random.h"
+#include "flight/ride/planner.h"
+#include "flight/route/random.h"
 #include "tests/refusal.h"
 #include "tests/flight/rows.h"
 #include "tests/scenes.h"

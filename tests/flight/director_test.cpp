@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "flight/audit/views.h"
-#include "flight/plan/director.h"
-#include "flight/plan/gaze.h"
-#include "flight/plan/pacing.h"
-#include "flight/plan/trajectory.h"
+#include "flight/ride/director.h"
+#include "flight/ride/gaze.h"
+#include "flight/ride/pacing.h"
+#include "flight/ride/trajectory.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

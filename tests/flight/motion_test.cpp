@@ -9,7 +9,7 @@
 
 #include "flight/audit/motion.h"
 #include "flight/path/path.h"
-#include "flight/plan/gaze.h"
+#include "flight/ride/gaze.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

@@ -9,7 +9,7 @@
 
 #include "flight/audit/motion.h"
 #include "flight/audit/views.h"
-#include "flight/plan/planner.h"
+#include "flight/ride/planner.h"
 #include "tests/flight/rows.h"
 #include "tests/scenes.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "flight/audit/audit.h"
 
 namespace mandelmarch {

@@ -8,9 +8,9 @@
 
 #include "flight/audit/audit.h"
 #include "flight/path/places.h"
-#include "flight/plan/gaze.h"
-#include "flight/plan/planner.h"
-#include "flight/plan/visits.h"
+#include "flight/ride/gaze.h"
+#include "flight/ride/planner.h"
+#include "flight/ride/visits.h"
 #include "tests/refusal.h"
 #include "tests/scenes.h"
 

@@ -12,7 +12,7 @@
 #include "core/scene/extreme_scene.h"
 #include "core/scene/fractal.h"
 #include "flight/field/field.h"
-#include "instruments/trace.h"
+#include "core/instruments/trace.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

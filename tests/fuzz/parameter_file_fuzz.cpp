@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"

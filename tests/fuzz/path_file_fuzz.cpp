@@ -3,7 +3,7 @@
 // written and read again.
 #include <cstdlib>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "flight/path/path.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/formats/image_file.h"
 
 namespace mandelmarch {

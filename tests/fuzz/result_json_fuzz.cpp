@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/judge/compare.h"
-#include "bench/judge/portability.h"
-#include "bench/files/result_file.h"
+#include "bench/result/compare.h"
+#include "bench/result/portability.h"
+#include "bench/result/result_file.h"
 #include "bench/print/printers.h"
-#include "bench/harness/runs.h"
-#include "core/base/error.h"
+#include "bench/measure/runs.h"
+#include "core/text/error.h"
 
 namespace {
 
@@ -60,7 +60,7 @@ void use(const Result& result)
     }
     demand(!to_csv(found).empty() && !to_console(found).empty() && !text_of(json_of(found)).empty());
     const ComparedResults compared = compare_results(result, result);
-    for (const Judged& row : compared.rows) demand(share(row.p));
+    for (const Compared& row : compared.rows) demand(share(row.p));
     demand(!regression(compared.rows) && !to_console(compared).empty());
 }
 

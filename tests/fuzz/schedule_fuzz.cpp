@@ -3,7 +3,7 @@
 // parameter's range, or an InputError of one line.
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
-#include "flight/plan/schedule.h"
+#include "flight/route/schedule.h"
 #include "tests/fuzz/text.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 

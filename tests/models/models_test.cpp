@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "backends/all.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "tests/scenes.h"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "backends/all.h"
-#include "bench/scenes/equivalence.h"
+#include "bench/fidelity/equivalence.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

@@ -24,7 +24,7 @@ def stored(name: str) -> Any:
 BENCH = stored("bench.json")
 ROW = next(row for row in BENCH["rows"] if row["backend"] == "openmp")
 COUNT = next(count for count in BENCH["counts"] if count["precision"] == "double")
-RIVAL = BENCH["winners"][0]["rivals"][0]
+OTHER = BENCH["winners"][0]["others"][0]
 QUESTIONS = ("mandelbox_to_mandelbulb", "double_to_float", "others_to_host", "to_first_value", "to_previous_value")
 
 
@@ -127,7 +127,7 @@ def winners(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     found: dict[str, list[dict[str, Any]]] = {}
     for one in sorted((row for row in rows if row["figures"]), key=lambda row: row["figures"]["kernel_seconds"]["median"]):
         found.setdefault("/".join(one["name"].split("/")[:3]), []).append(one)
-    return [{"fastest": first["name"], "rivals": [RIVAL | {"name": one["name"]} for one in others]} for first, *others in found.values()]
+    return [{"fastest": first["name"], "others": [OTHER | {"name": one["name"]} for one in others]} for first, *others in found.values()]
 
 
 def with_scalar() -> dict[str, Any]:

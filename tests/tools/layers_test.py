@@ -14,29 +14,29 @@ ROOT = Path(__file__).resolve().parents[2]
 # The layers, from the lowest to the highest. Folders of one layer must not include files of each other.
 LAYERS = [
     ["core/kernel"],
-    ["core/base"],
+    ["core/text"],
+    ["core/os"],
     ["core/image"],
     ["core/image/formats"],
     ["core/scene"],
     ["core/scene/fractals"],
     ["core/render"],
-    ["core/isolation", "core/job", "instruments"],
+    ["core/gpu", "core/instruments", "core/isolation"],
+    ["core/models"],
     sorted(f"backends/{path.name}" for path in (ROOT / "backends").iterdir() if path.is_dir()),
     ["backends"],
-    ["cli", "flight/field"],
+    ["apps/cli", "flight/field"],
     ["flight/path"],
     ["flight/audit"],
-    ["flight/plan"],
+    ["flight/route"],
+    ["flight/ride"],
     ["flight/film"],
     ["apps"],
-    ["apps/explore/model", "bench/base"],
+    ["apps/explore/model", "bench/statistics"],
     ["apps/explore/actions", "bench/counting"],
     ["apps/explore/view", "bench/result"],
-    ["apps/explore", "bench/judge"],
-    ["bench/files"],
-    ["bench/machine", "bench/print", "bench/study"],
-    ["bench/harness"],
-    ["bench/scenes"],
+    ["apps/explore", "bench/measure", "bench/print"],
+    ["bench/fidelity"],
     ["bench/command"],
     ["bench"],
 ]
@@ -78,9 +78,9 @@ class Layers(unittest.TestCase):
         self.assertEqual([pair for pair in includes() if re.match("bench/.*/", pair[0]) and pair[1].startswith("backends/")], [])
 
     def test_an_include_that_goes_up_or_across_is_found(self) -> None:
-        self.assertFalse(goes_down("core/base/error.cpp", "core/scene/scene.h"))
+        self.assertFalse(goes_down("core/os/program.cpp", "core/scene/scene.h"))
         self.assertFalse(goes_down("backends/cuda/cuda.cpp", "backends/openacc/openacc.h"))
-        self.assertFalse(goes_down("flight/audit/audit.cpp", "flight/plan/roadmap.h"))
+        self.assertFalse(goes_down("flight/audit/audit.cpp", "flight/route/roadmap.h"))
 
 
 if __name__ == "__main__":

@@ -11,13 +11,13 @@ TREE = {
     "core/kernel/text.h": "#include MM_FRACTAL_FILE\nint text;\n",
     "core/kernel/fractals/one.h": "int fractal;\n",
     "core/kernel/prelude/left.h": "int left; // a comment\n",
-    "core/job/job.h": "int job;\n// a comment\n",
-    "core/job/loops.cpp.in": "int loops;\n",
+    "core/models/job.h": "int job;\n// a comment\n",
+    "core/models/loops.cpp.in": "int loops;\n",
     "backends/CMakeLists.txt": "set(backends\n    yardstick\n    left\n    right\n)\n",
     "backends/yardstick/y.cpp": "int y;\n",
     "backends/left/CMakeLists.txt": "add_library(left l.cpp)\n",
     "backends/left/l.cpp": '#include "../../core/kernel/prelude/left.h"\n#include "core/kernel/text.h"\n',
-    "backends/right/r.cpp": '#include "core/job/job.h"\n#include "core/kernel/text.h"\n',
+    "backends/right/r.cpp": '#include "core/models/job.h"\n#include "core/kernel/text.h"\n',
     "backends/right/loops.cpp.in": "int loops;\nint more;\n",
 }
 LEFT = "backends/left/l.cpp"
@@ -34,7 +34,7 @@ class LinesOfCodeTest(ToolTest):
         return [list(model.values()) for model in json.loads(done.stdout)["models"]]
 
     def test_a_backend_needs_its_folder_and_the_files_that_it_names(self):
-        # For the backend `right`, its own template counts instead of the one in core/job.
+        # For the backend `right`, its own template counts instead of the one in core/models.
         self.assertEqual(self.models(), [["left", 2, 0, 4], ["right", 4, 1, 3]])
 
     def test_blank_lines_and_comments_are_not_code(self):

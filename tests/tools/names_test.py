@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("apps", "backends", "bench", "core", "flight", "instruments", "report")
+FOLDERS = ("apps", "backends", "bench", "core", "flight", "report")
 REPORT = ROOT / "report" / "out"  # output of `make report`
 ENDINGS = {".cpp", ".h", ".in", ".cl", ".comp", ".js", ".py"}
 ALLOWED = {
@@ -19,7 +19,7 @@ ALLOWED = {
     "apps/mandelbulb.cpp": "the program of that name",
     "backends/reference/reference.cpp": "which estimators it has",
     "bench/result/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
-    "bench/study/views.cpp": "scenes of the studies, with defaults for other fractals",
+    "bench/measure/views.cpp": "scenes of the studies, with defaults for other fractals",
     "flight/path/measures.cpp": "measures of flights, with defaults for other fractals",
     "report/mandelreport/answers.py": "the two fractals that the front page compares",
     "report/mandelreport/pictures.py": "the two scenes that the report shows",
@@ -29,10 +29,10 @@ ALLOWED = {
 NAME_BACKENDS = {
     "CMakePresets.json": "the option that selects them",
     "bench/command/scene_commands.cpp": "an example in --help",
-    "bench/study/options.cpp": "an example in --help",
+    "bench/measure/options.cpp": "an example in --help",
     "cmake/": "how each is compiled",
-    "core/base/environment.h": "variables of their run-time libraries",
-    "core/job/driver.cpp": "the two drivers for GPUs, in messages",
+    "core/text/environment.h": "variables of their run-time libraries",
+    "core/gpu/driver.cpp": "the two drivers for GPUs, in messages",
     "packaging/": "libraries of their drivers, and the steps that try each on a GPU",
     "report/templates/": "sentences, for readers",
     "tools/gpu_packages.txt": "packages",

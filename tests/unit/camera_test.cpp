@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "backends/openmp/openmp.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/render/stereo.h"
 #include "core/scene/fractal.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "backends/all.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the numbers of cores and bytes of memory that are available under control groups, affinity masks and OpenMP's
 // variables. Temporary folders replace the system's /proc and /sys.
-#include "core/base/cores.h"
+#include "core/os/cores.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -16,10 +16,10 @@
 #include <string>
 #include <thread>
 
-#include "core/base/control_group.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/memory.h"
+#include "core/os/control_group.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/memory.h"
 
 namespace mandelmarch {
 namespace {

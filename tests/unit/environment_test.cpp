@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Only core/base/environment.cpp reads the environment, through the table of environment.h.
-#include "core/base/environment.h"
+// Only core/text/environment.cpp reads the environment, through the table of environment.h.
+#include "core/text/environment.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <iterator>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {
@@ -35,7 +35,7 @@ TEST(Environment, IsReadThroughItsTable)
             }
         }
     }
-    EXPECT_EQ(readers, std::vector<fs::path>{"core/base/environment.cpp"});
+    EXPECT_EQ(readers, std::vector<fs::path>{"core/text/environment.cpp"});
 }
 
 TEST(Environment, SecondsAreANumberInTheirRange)

@@ -2,7 +2,7 @@
 // An output file appears complete or not at all, even if it is written through a link or descriptor, or if a signal
 // ends the program. A read error is not the end of a file. A command must not use one file for two purposes, even under
 // different names.
-#include "core/base/output_file.h"
+#include "core/os/output_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -24,10 +24,10 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/files.h"
-#include "core/base/input_file.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
+#include "core/os/input_file.h"
 #include "tests/refusal.h"
 
 namespace mandelmarch {

@@ -15,8 +15,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/base/error.h"
-#include "core/base/files.h"
+#include "core/text/error.h"
+#include "core/os/files.h"
 #include "core/image/compare.h"
 #include "core/image/formats/image_file.h"
 #include "tests/refusal.h"

@@ -14,8 +14,8 @@
 #include <new>
 #include <system_error>
 
-#include "core/base/child_process.h"
-#include "core/base/error.h"
+#include "core/os/child_process.h"
+#include "core/text/error.h"
 #include "core/render/registry.h"
 #include "tests/scenes.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the renderer of core/job with a fake programming model, which records the calls to its device.
+// Tests the renderer of core/models with a fake programming model, which records the calls to its device.
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "core/job/model.h"
+#include "core/models/model.h"
 #include "core/render/kernel_scene.h"
 #include "tests/scenes.h"
 

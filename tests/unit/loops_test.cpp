@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// instruments/loops.h computes bounds for the iterations of the kernel's loops. The tests compare these bounds with the
-// loops of real rays. They also check the passes into which the schedule divides a picture because of the bounds.
-#include "instruments/loops.h"
+// core/instruments/loops.h computes bounds for the iterations of the kernel's loops. The tests compare these bounds
+// with the loops of real rays. They also check the passes into which the schedule divides a picture because of the
+// bounds.
+#include "core/instruments/loops.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/render/spacing.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
 #include "core/image/formats/image_file.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/isolation/isolated.h"
 
 namespace mandelmarch {

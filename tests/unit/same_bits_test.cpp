@@ -8,7 +8,7 @@
 #include <set>
 
 #include "backends/all.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "tests/scenes.h"
 #include "tests/unit/same_picture.h"

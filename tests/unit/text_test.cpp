@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests control characters in printed text, and the depth of JSON.
-#include "core/base/text.h"
+#include "core/text/text.h"
 
 #include <gtest/gtest.h>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "backends/openmp/openmp.h"
 #include "core/scene/fractal.h"
-#include "instruments/trace.h"
+#include "core/instruments/trace.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

@@ -8,7 +8,7 @@
 
 #include "backends/all.h"
 #include "backends/openmp/openmp.h"
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/render/region.h"
 #include "core/render/trial.h"

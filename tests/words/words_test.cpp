@@ -13,7 +13,7 @@
 #include <limits>
 #include <random>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/backend.h"
 #ifdef MANDELMARCH_WORDS_OPENCL
 #include "backends/opencl/device.h"

@@ -7,8 +7,8 @@
 #include <array>
 #include <tuple>
 
-#include "core/base/error.h"
-#include "core/base/output_file.h"
+#include "core/text/error.h"
+#include "core/os/output_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 

@@ -8,9 +8,9 @@
 #include <cctype>
 #include <filesystem>
 
-#include "core/base/error.h"
-#include "core/base/input_file.h"
-#include "core/base/output_file.h"
+#include "core/text/error.h"
+#include "core/os/input_file.h"
+#include "core/os/output_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "flight/path/path.h"

@@ -8,10 +8,10 @@
 
 #include "apps/explore/model/export.h"
 #include "apps/explore/model/smooth.h"
-#include "core/base/error.h"
-#include "core/base/output_file.h"
+#include "core/text/error.h"
+#include "core/os/output_file.h"
 #include "flight/film/film.h"
-#include "flight/plan/planner.h"
+#include "flight/ride/planner.h"
 
 namespace mandelmarch::explore {
 namespace {

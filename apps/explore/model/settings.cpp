@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/base/environment.h"
-#include "core/base/input_file.h"
-#include "core/base/json.h"
-#include "core/base/output_file.h"
+#include "core/text/environment.h"
+#include "core/os/input_file.h"
+#include "core/text/json.h"
+#include "core/os/output_file.h"
 #include "core/image/image.h"
 
 namespace mandelmarch::explore {

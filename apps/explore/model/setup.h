@@ -7,7 +7,7 @@
 #include <compare>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::explore {

@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "apps/explore/view/panels.h"
-#include "core/base/stopwatch.h"
+#include "core/os/stopwatch.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::explore {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/base/stopwatch.h"
+#include "core/os/stopwatch.h"
 
 namespace mandelmarch::explore {
 namespace {

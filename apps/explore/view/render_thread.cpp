@@ -8,8 +8,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/base/error.h"
-#include "core/base/stopwatch.h"
+#include "core/text/error.h"
+#include "core/os/stopwatch.h"
 #include "flight/film/frames.h"
 #include "flight/film/shrink.h"
 

@@ -7,10 +7,10 @@
 #include <sstream>
 #include <vector>
 
-#include "cli/option_values.h"
-#include "core/base/console.h"
-#include "core/base/error.h"
-#include "core/base/input_file.h"
+#include "apps/cli/option_values.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/os/input_file.h"
 
 namespace mandelmarch::explore {
 namespace {

@@ -15,8 +15,8 @@
 #include <memory>
 #include <string_view>
 
-#include "core/base/environment.h"
-#include "core/base/error.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::explore {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/formats/formats.h"
 #include "core/image/formats/image_file.h"
 #include "core/image/image.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/base/output_file.h"
+#include "core/os/output_file.h"
 #include "core/image/image.h"
 
 namespace mandelmarch {

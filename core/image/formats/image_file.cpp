@@ -10,9 +10,9 @@
 #include <limits>
 #include <string_view>
 
-#include "core/base/error.h"
-#include "core/base/input_file.h"
-#include "core/base/memory.h"
+#include "core/text/error.h"
+#include "core/os/input_file.h"
+#include "core/os/memory.h"
 #include "core/image/formats/formats.h"
 #include "core/image/image.h"
 

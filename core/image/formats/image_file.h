@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/files.h"
+#include "core/os/files.h"
 #include "core/image/image.h"
 
 namespace mandelmarch {

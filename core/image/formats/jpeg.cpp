@@ -10,7 +10,7 @@
 #include <csetjmp>
 #include <exception>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/formats/formats.h"
 
 namespace mandelmarch {

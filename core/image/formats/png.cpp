@@ -8,7 +8,7 @@
 #include <memory>
 #include <string_view>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/formats/formats.h"
 #include "core/image/formats/image_file.h"
 

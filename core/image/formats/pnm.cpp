@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/text/error.h"
 #include "core/image/formats/formats.h"
 #include "core/image/formats/image_file.h"
 

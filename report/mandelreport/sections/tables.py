@@ -137,7 +137,7 @@ def _simd_widths(material: Material) -> Table | None:
 
 def lines_of_code(models: list[dict[str, Any]]) -> Table:
     rows = [[str(m[key]) for key in ("backend", "lines", "lines_of_job", "lines_of_kernel")] for m in models]
-    return Table(["backend", "own lines", "of core/job", "of core/kernel"], rows, "Lines of code that each backend needs.", [1, 2, 3])
+    return Table(["backend", "own lines", "of core/models", "of core/kernel"], rows, "Lines of code that each backend needs.", [1, 2, 3])
 
 
 def section(material: Material) -> dict[str, Any]:

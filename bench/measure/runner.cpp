@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/measure/runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+#include "bench/result/figures.h"
+#include "bench/measure/interruption.h"
+#include "bench/measure/moving_eye.h"
+#include "bench/measure/verify.h"
+#include "core/text/error.h"
+#include "core/os/stopwatch.h"
+
+namespace mandelmarch::bench {
+namespace {
+
+// Seconds. If a picture takes less, it is rendered once without timing before it is timed. The first rendering wakes
+// the threads, fills the caches and raises the clock frequency after the previous configuration.
+constexpr double warmed_below = 0.1;
+
+bool narrow_enough(const Row& row, double half_width)
+{
+    const auto reached = summary(kernel_times(row)).half_width();
+    return reached && *reached < half_width;
+}
+
+class Rounds {
+public:
+    Rounds(std::vector<TimedCase>& rows, const Rules& rules, MovingEye* eye)
+        : rows_(rows),
+          rules_(rules),
+          eye_(eye),
+          random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.run))
+    {
+    }
+
+    void run(const Phase& phase)
+    {
+        for (int round = 0; round < most(); ++round) {
+            std::vector<TimedCase*> order = unfinished();
+            if (order.empty() || interrupted() != 0) break;
+            std::shuffle(order.begin(), order.end(), random_);
+            if (eye_ != nullptr) {
+                eye_->next_round();
+                eye_->group(order);
+            }
+            draw(order, round, phase);
+            for (TimedCase* row : order) row->done = row->done || finished(*row);
+        }
+    }
+
+private:
+    std::vector<TimedCase*> unfinished()
+    {
+        std::vector<TimedCase*> order;
+        for (TimedCase& row : rows_) {
+            if (!row.done) order.push_back(&row);
+        }
+        return order;
+    }
+
+    int most() const { return rules_.repetitions.value_or(rules_.most); }
+
+    void draw(const std::vector<TimedCase*>& order, int round, const Phase& phase)
+    {
+        const std::string text =
+            fmt::format("round {} of {}{}", round + 1, rules_.repetitions ? "" : "at most ", most());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (interrupted() != 0) return;
+            if (!out_of_time() || order[i]->one->row.samples.empty()) draw(*order[i], round);
+            const double of_round = static_cast<double>(i + 1) / static_cast<double>(order.size());
+            phase({"timing", share((round + of_round) / most()), text});
+        }
+    }
+
+    void draw(TimedCase& live, int round)
+    {
+        Row& row = live.one->row;
+        try {
+            const Scene& scene = eye_ == nullptr ? live.one->scene : eye_->view_of(*live.one).scene;
+            Image& image = image_for(live);
+            Sample sample = draw_sample(live, scene, image);
+            const std::string fault = eye_ != nullptr ? eye_->fault_of(*live.one, image)
+                                      : fingerprint(image) == live.fingerprint
+                                          ? ""
+                                          : "the timed picture differs from the verified one";
+            if (!fault.empty()) throw Error(fault);
+            sample.run = rules_.run;
+            sample.round = round;
+            live.spent += sample.wall;
+            row.samples.push_back(sample);
+        } catch (const std::exception& error) {
+            if (interrupted() != 0) return;  // the signal may have ended the device's process, too
+            row.failure = error.what();
+            row.samples.clear();
+            live.done = true;
+        }
+    }
+
+    bool out_of_time() const { return !rules_.repetitions && seconds_since(start_) > rules_.budget; }
+
+    bool finished(const TimedCase& live) const
+    {
+        if (rules_.repetitions) return false;
+        const Row& row = live.one->row;
+        if (out_of_time() || live.spent > rules_.row_budget) return true;
+        return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
+    }
+
+    // Returns the completed fraction of the work. If the number of rounds is fixed, this is the fraction of the rounds;
+    // else it is the largest of three fractions: of the rounds, of the configurations, and of the time budget.
+    double share(double of_rounds) const
+    {
+        if (rules_.repetitions) return of_rounds;
+        const auto done = std::ranges::count_if(rows_, &TimedCase::done);
+        const double of_rows = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rows_.size()));
+        return std::min(1.0, std::max({of_rounds, of_rows, seconds_since(start_) / rules_.budget}));
+    }
+
+    Image& image_for(const TimedCase& live)
+    {
+        const Scene& scene = live.one->scene;
+        if (image_.width() != scene.width || image_.height() != scene.height) {
+            image_ = Image(scene.width, scene.height, Image::Layers::bytes);
+        }
+        return image_;
+    }
+
+    std::vector<TimedCase>& rows_;
+    const Rules& rules_;
+    MovingEye* eye_;
+    std::mt19937_64 random_;
+    Clock::time_point start_ = Clock::now();
+    Image image_;
+};
+
+}  // namespace
+
+Sample draw_sample(TimedCase& row, const Scene& scene, Image& image)
+{
+    const Case& one = *row.one;
+    const int frames = one.row.setting.frames;
+    // Not the scene of this sample, whose picture a program might keep.
+    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
+    // Overwrite the image. Otherwise, if a backend did not write its pixels, the previous configuration's picture would
+    // pass for its own.
+    std::ranges::fill(image.bytes(), std::uint8_t{0x55});
+    Sample sample;
+    if (frames == 0) {
+        sample.add(row.renderer->render(scene, image).timings);
+    } else {
+        const auto start = Clock::now();
+        const auto renderer = one.backend->create(one.options);
+        for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(scene, image).timings);
+        sample.wall = seconds_since(start);
+        for (double Sample::*part :
+             {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
+            sample.*part /= frames;
+        }
+    }
+    return sample;
+}
+
+Rules rules_of(const Options& options)
+{
+    return {.repetitions = options.repetitions,
+            .row_budget = options.study->row_budget,
+            .most = options.study->most_rounds,
+            .seed = options.seed,
+            .run = options.run};
+}
+
+void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
+{
+    if (rules.repetitions) return;
+    for (TimedCase& live : rows) {
+        if (live.expected <= rules.long_picture) continue;
+        live.one->row.samples.push_back({.run = rules.run});
+        live.one->row.samples.back().add(live.first.timings);
+        live.done = true;
+    }
+}
+
+void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase, MovingEye* eye)
+{
+    Rounds(rows, rules, eye).run(phase);
+}
+
+}  // namespace mandelmarch::bench
