@@ -94,9 +94,8 @@ std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision)
 {
     const bool is_float = precision == Precision::f32;
     std::vector<std::string> endings{""};
-    if (is_float) endings.insert(endings.end(), {"_corrected", "_pinned"});
+    if (is_float) endings.emplace_back("_corrected");
     for (const std::string& ending : endings) {
-        if (ending == "_pinned" && !gpu.info().has_double) continue;
         const std::string module = fmt::format("probe_{}_exact{}", name_of(precision), ending);
         switch (is_float ? probed<float>(gpu, bench, module) : probed<double>(gpu, bench, module)) {
             case Found::nothing: return ending;

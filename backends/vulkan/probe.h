@@ -18,9 +18,9 @@ struct Workbench {
     std::vector<Buffer> buffers;
 };
 
-// Returns the suffix of the modules that are exact on this device: "", or "_corrected" or "_pinned" (program.h) if the
-// device's own float divisions are inexact. Throws Unavailable if no module is exact, or if the device fuses
-// multiplications with additions.
+// Returns the suffix of the modules that are exact on this device: "", or "_corrected" (program.h) if the device's own
+// float divisions are inexact. Throws Unavailable if no module is exact, or if the device fuses multiplications with
+// additions.
 std::string exact_modules(Gpu& gpu, Workbench& bench, Precision precision);
 
 }  // namespace mandelmarch::vulkan

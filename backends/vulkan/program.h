@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shader programs on a device: SPIR-V modules, and the pipelines made of them, which are created on first use.
+// Shader programs on a device: SPIR-V modules, and the pipelines made of them, which are created on first use. Drivers
+// keep what they have compiled in caches of their own.
 #pragma once
 
 #include <array>
@@ -16,30 +17,11 @@ namespace mandelmarch::vulkan {
 
 // A SPIR-V module. The generated modules are named FRACTAL_PRECISION_MODE, probe_PRECISION_exact and
 // peak_PRECISION_fast. Each float module of exact mode also exists with the suffix _corrected, which corrects divisions
-// by their exact residuals, and _pinned, which divides in double (core/kernel/prelude/glsl.h).
+// by their exact residuals (core/kernel/prelude/glsl.h).
 using Module = std::span<const std::uint32_t>;
 
 // Returns a module; empty if no module has this name.
 Module module_named(std::string_view name);
-
-// The pipelines of one module, as compiled by a device's driver. For later runs they are stored in a file in
-// $XDG_CACHE_HOME/mandelmarch or ~/.cache/mandelmarch. A file that is truncated, modified or from another driver is
-// ignored and rewritten. If the folder is not writable, or the path is not a regular file, nothing is stored, and no
-// error is reported.
-class PipelineCache {
-public:
-    PipelineCache(const Gpu& gpu, Module module);
-
-    const vk::raii::PipelineCache& handle() const { return handle_; }
-
-    // Writes the cache if it has changed since it was opened.
-    void save();
-
-private:
-    std::string path_;  // empty: no cache
-    std::vector<std::uint8_t> known_;
-    vk::raii::PipelineCache handle_ = nullptr;
-};
 
 // A range of a buffer, as bound to a shader.
 struct Binding {
@@ -75,7 +57,6 @@ private:
     vk::raii::PipelineLayout layout_ = nullptr;
     vk::raii::DescriptorPool pool_ = nullptr;
     vk::DescriptorSet set_;  // owned by the pool
-    PipelineCache cache_;
     std::map<Ints, vk::raii::Pipeline> pipelines_;
 };
 

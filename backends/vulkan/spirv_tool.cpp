@@ -24,13 +24,10 @@ constexpr std::size_t header_words = 5;
 constexpr std::uint32_t no_contraction = 42;
 constexpr std::uint32_t op_decorate = 71;
 
-// Returns true for FConvert, FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod and the products of vectors and matrices.
-// FConvert is included because Mesa 25 would otherwise omit the rounding to float between two float divisions that are
-// computed in double.
+// Returns true for FNegate, FAdd, FSub, FMul, FDiv, FRem, FMod and the products of vectors and matrices.
 bool is_arithmetic(std::uint32_t opcode)
 {
-    static const std::set<std::uint32_t> opcodes{115, 127, 129, 131, 133, 136, 140, 141,
-                                                 142, 143, 144, 145, 146, 147, 148};
+    static const std::set<std::uint32_t> opcodes{127, 129, 131, 133, 136, 140, 141, 142, 143, 144, 145, 146, 147, 148};
     return opcodes.contains(opcode);
 }
 

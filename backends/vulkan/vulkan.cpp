@@ -73,9 +73,7 @@ public:
                 const std::string ending = exact_modules(session_->gpu, session_->bench, options.precision);
                 session_->bench = {};
                 variant_ += ending;
-                instruction_set_ = ending == "_corrected" ? "SPIR-V, float quotients corrected"
-                                   : ending == "_pinned"  ? "SPIR-V, float quotients in double"
-                                                          : "SPIR-V";
+                instruction_set_ = ending.empty() ? "SPIR-V" : "SPIR-V, float quotients corrected";
             }
         });
         context_ = seconds_since(start);

@@ -32,7 +32,7 @@ inline constexpr Variables variables[] = {
      "bench, gpu_check",
      "if set, any device counts as a GPU; the results are marked as a rehearsal"},
     {{"TMPDIR"}, "all programs", "folder of temporary files"},
-    {{"XDG_CACHE_HOME", "HOME"}, "vulkan, opencl", "folder of compiled kernels"},
+    {{"XDG_CACHE_HOME", "HOME"}, "opencl", "folder of compiled kernels"},
     {{"XDG_CONFIG_HOME", "HOME"}, "explore", "folder of the settings"},
     {{"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}, "explore", "the display"},
     {{"PATH"}, "all programs", "folders with ffmpeg and other programs"},

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prelude in GLSL 460; an invocation processes one pixel. Before including it, define MM_REAL_IS_FLOAT (1 or 0) and
-// MM_QUOTIENTS, the method for float divisions and square roots. 0: the device's own. 1: in double, rounded once to
-// float; the result is correctly rounded even if the double division is 2.5 ulp off, as Vulkan allows. 2: in float,
-// corrected by exact residuals.
+// MM_CORRECTED. 1: float divisions and square roots are corrected by exact residuals; 0: they are the device's own.
 
 #define FN
 #define FN_CALLED
@@ -26,12 +24,8 @@
 #define vec3 dvec3
 #endif
 
-#if MM_QUOTIENTS == 2
+#if MM_CORRECTED
 #include "core/kernel/prelude/glsl_corrected.h"
-#elif MM_QUOTIENTS == 1
-real quotient(real a, real b) { return float(double(a) / double(b)); }
-
-real root(real a) { return float(sqrt(double(a))); }
 #else
 real quotient(real a, real b) { return a / b; }
 
