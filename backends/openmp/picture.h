@@ -55,7 +55,8 @@ template <class KernelScene>
 bool shares_surroundings(const Scene& scene, const KernelScene& kernel, const Techniques& techniques)
 {
     constexpr double nearest_openness = 0.004;  // as a fraction of the distance from the camera
-    return techniques.shared_occlusion && scene.smooth && scene.colouring > 1 && kernel.spacing < nearest_openness;
+    return techniques.shared_occlusion && scene.smooth && look_of(scene) != nullptr &&
+           kernel.spacing < nearest_openness;
 }
 
 template <class Real>

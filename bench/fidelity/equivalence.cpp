@@ -14,7 +14,7 @@
 #include "core/text/error.h"
 #include "core/render/agreement.h"
 #include "core/render/expected.h"
-#include "core/scene/extreme_scene.h"
+#include "core/scene/random_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 

@@ -17,7 +17,7 @@ struct EquivalenceOptions {
     std::vector<std::string> backends{};     // names; empty: all
     std::vector<const Fractal*> fractals{};  // empty: all
     int scenes = 1000;                       // number of scenes of all fractals together
-    unsigned seed = 1;                       // see core/scene/extreme_scene.h
+    unsigned seed = 1;                       // see core/scene/random_scene.h
     Mode mode = Mode::exact;
     std::vector<NamedScene> others{};  // rendered instead of extreme scenes
 };

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's side of the connection to a device process (worker.h is the device process's side).
+// Both sides of the connection between a program and a device process.
 #pragma once
 
 #include <memory>
 #include <mutex>
 #include <string>
 
-#include "core/isolation/codec.h"
+#include "core/isolation/message.h"
 #include "core/isolation/fork_server.h"
 
 namespace mandelmarch::isolation {
 
+// The device process's side (worker.cpp): serves requests with the backend until the program closes the channel, then
+// ends the process.
+[[noreturn]] void serve(const Backend& backend, const Channel& channel);
+
+// The program's side.
 class DeviceProcess {
 public:
     // Messages begin with `name`, such as "backend opencl: device 0".

@@ -10,7 +10,6 @@
 #include "core/text/error.h"
 #include "core/isolation/device_process.h"
 #include "core/isolation/shared_memory.h"
-#include "core/isolation/worker.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/isolation/worker.h"
+#include "core/isolation/device_process.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 
 #include "core/text/error.h"
 #include "core/text/text.h"
-#include "core/isolation/codec.h"
 #include "core/isolation/shared_memory.h"
 
 namespace mandelmarch::isolation {

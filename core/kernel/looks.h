@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel source, part 11: looks, which are the colouring types 2 and above. The numbers of a look are in scene.look, in
-// the order of look_entries in core/scene/look.h. Colours are linear light until displayed() converts them.
+// Kernel source, part 11: looks. The numbers of a look are in scene.look, in the order of look_entries in
+// core/scene/look.h. Colours are linear light until displayed() converts them.
 // All looks have haze, ambient occlusion and a soft key light. The occlusion and the softness are computed from
 // estimates at a few points along a line (Evans, "Fast approximations for global illumination on dynamic scenes",
 // SIGGRAPH 2006 course).
@@ -26,6 +26,13 @@ FN scalar horizon_glow(Scene scene) { return scene.look[64]; }
 FN scalar cloud_cover(Scene scene) { return scene.look[65]; }
 FN scalar haze_share(Scene scene) { return scene.look[66]; }
 FN scalar exposure(Scene scene) { return scene.look[67]; }
+
+// Returns 1 if the picture has a look, whose exposure is positive, and 0 if it has another colouring.
+FN int has_look(Scene scene)
+{
+    if (exposure(scene) > 0) return 1;
+    return 0;
+}
 
 FN real saturated(real x) { return pick(x > 0, pick(x < 1, x, R(1.0)), R(0.0)); }
 
@@ -216,7 +223,7 @@ FN Lighting lighting(Scene scene, vec3 direction, vec3 n, real t, Occlusion foun
     at.light = along(at.light, sun_light(scene), key);
     at.light = along(at.light, camera_light(scene), shelter * facing);
     // Adds a lamp at the camera: its light decreases with the distance, and surfaces at grazing angles stay dark.
-    real hazed = haze(t);
+    real hazed = quotient(t, t + MM_SIZE);
     real fall = quotient(1 - hazed, 1 + 5 * hazed);
     at.light = along(at.light, lamp(scene), shelter * (R(0.15) + facing * facing) * fall);
     at.light = along(at.light, fill_light(scene), shelter);
@@ -225,8 +232,8 @@ FN Lighting lighting(Scene scene, vec3 direction, vec3 n, real t, Occlusion foun
     glint = glint * glint;
     glint = glint * glint;
     at.glint = glint * glint * glint * key;
-    // The haze rises faster than haze(), and reaches half its maximum at about half the fractal's size, so that it also
-    // shows depth inside the fractal.
+    // The haze reaches half its maximum at about half the fractal's size, so that it also shows depth inside the
+    // fractal.
     real air = quotient(5 * hazed, 1 + 4 * hazed);
     at.air = air * air * haze_share(scene);
     at.behind = sky(scene, direction);

@@ -11,7 +11,7 @@ FN Ray begin_inside(Scene scene, scalar hull_size, vec3 direction)
     ray.end = scene.end;
     ray.t = 0;
     if (hull_size > 0) {
-        Span span = hull(hull_size, splat(scene.eye), ray.direction);
+        Span span = MM_HULL_SPAN(hull_size, splat(scene.eye), ray.direction);
         // The margin exceeds the rounding error of the end of the span.
         ray.end = smaller(ray.end, span.last * R(1.0001));
         ray.end = pick(span.first <= span.last, larger(ray.end, -1), R(-1.0));

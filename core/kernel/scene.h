@@ -9,7 +9,7 @@ struct Scene {
     int max_iterations;  // n of the distance estimator, at least 1
     int max_steps;       // max number of samples of a ray
     int fractal_whole;   // an integer whose meaning the fractal's file defines
-    int colouring;       // colouring type of the parameter file: 0 and 1 in shade.h, 2 and above in looks.h
+    int colouring;       // colouring type of the parameter file, for lit() in shade.h; looks do not depend on it
     int canonical;       // 1: a hit is the root of DE(t) = tolerance * t; 0: the last sample of the original stepping
     int differences;  // source of normals: 0 analytic gradient, 1 central differences, 2 differences over a tetrahedron
 
@@ -29,7 +29,7 @@ struct Scene {
     scalar spacing;       // max distance of diagonally adjacent rays, at distance 1 from the camera
     scalar subtile_hull;  // size of an enlarged hull, which a subtile's centre meets if one of its rays meets the hull
     scalar fractal[13];   // constants whose meanings the fractal's file defines
-    scalar look[68];      // numbers of the look, whose meanings looks.h defines; 0 for colouring types 0 and 1
+    scalar look[68];      // numbers of the look, whose meanings looks.h defines; 0: the colouring is not a look
 
     triple eye;      // position of the camera
     triple forward;  // to the centre of the pixels, at distance 1; equirectangular: unit vector of the view direction

@@ -78,12 +78,18 @@ FN Normal normal_at(Scene scene, vec3 p, real t, mask on)
     normal.iterations = 0;
     if (scene.differences == 1) {
         normal = normal_by_differences(scene, p, on);
+#ifdef MM_NO_GRADIENT
+    } else {
+        normal = normal_by_tetrahedron(scene, p, (scene.differences == 2 ? R(1.0) : R(0.03)) * scene.tolerance * t, on);
+    }
+#else
     } else if (scene.differences == 2) {
         normal = normal_by_tetrahedron(scene, p, scene.tolerance * t, on);
     } else {
         normal.direction = unit(gradient(scene, p, on));
         normal.de_calls = tally(normal.de_calls, on);
     }
+#endif
     return normal;
 }
 
@@ -110,7 +116,7 @@ FN Pixel missed(Scene scene, Hit hit)
 {
     Pixel pixel;
     pixel.colour = vec3(R(0.4), R(0.4), R(0.4));
-    if (scene.colouring > 1) pixel.colour = displayed3(scene, backdrop(scene, hit.direction));
+    if (has_look(scene) != 0) pixel.colour = displayed3(scene, backdrop(scene, hit.direction));
     pixel.depth = scene.miss;
     pixel.steps = hit.steps;
     pixel.de_calls = hit.de_calls;
@@ -170,7 +176,7 @@ FN Pixel shade_with(Scene scene, Hit hit, Pixel pixel, ShadingPoint at, Normal n
 {
     mask on = is_hit(hit);
     vec3 n = facing(scene, hit.direction, normal.direction, at.t);
-    if (scene.colouring > 1) {
+    if (has_look(scene) != 0) {
         pixel = shade_among(scene, hit, pixel, at, normal, occlusion(scene, at.p, n, at.t, on));
     } else {
         pixel.colour = pick3(on, lit(scene, hit.direction, n), pixel.colour);

@@ -12,10 +12,19 @@
 #include "core/kernel/vectors.h"
 #include "core/kernel/numbers.h"
 #include "core/kernel/hull.h"
-// Some fractals define these macros.
+// Some fractals define these macros (docs/add-a-fractal.md).
 #undef MM_WIDE_REGISTERS_AVX3
 #undef MM_REFILL_LANES
+#undef MM_HULL_SPAN
+#undef MM_SIZE
+#undef MM_NO_GRADIENT
 #include MM_FRACTAL_FILE
+#ifndef MM_HULL_SPAN
+#define MM_HULL_SPAN sphere_span
+#endif
+#ifndef MM_SIZE
+#define MM_SIZE R(2.0)
+#endif
 #include "core/kernel/stepping.h"
 #include "core/kernel/camera.h"
 #include "core/kernel/march.h"

@@ -28,11 +28,7 @@ using KernelArguments = mandelmarch::job::KernelArguments<Scene, MM_REAL>;
 // instead of keeping them in registers. The fewer registers a kernel needs, the more of its threads are resident on a
 // GPU; therefore even short-lived values are loaded from the job again each time.
 #ifndef MM_ANEW
-#ifdef __NVCOMPILER
-#define MM_ANEW(value)
-#else
 #define MM_ANEW(value) asm volatile("" : "+r"(value))
-#endif
 #endif
 
 FN Scene fixed_scene(const KernelArguments* job)

@@ -170,7 +170,7 @@ FN Pixel shaded(const KernelArguments* job, Hit hit)
     pixel.steps = hit.steps;
     pixel.de_calls = hit.de_calls + normal.de_calls;
     pixel.iterations = hit.iterations + normal.iterations;
-    if (job->scene.colouring > 1) {
+    if (has_look(scene_of(job)) != 0) {
         Occlusion found = occlusion(scene_of(job), at.p, n, at.t, true);
         Lighting there = lighting(scene_of(job), hit.direction, n, at.t, found);
         pixel.colour = look_shown(scene_of(job), there, orbit_trap(scene_of(job), at.p, true));

@@ -152,9 +152,8 @@ Layout kernel_scene(const Scene& scene, Mode mode, const Techniques& techniques)
     k.brightness = real(scene.brightness);
     k.difference_step = real(difference_step);
     for (std::size_t i = 0; i < constants.values.size(); ++i) k.fractal[i] = real(constants.values[i]);
-    if (scene.colouring > 1) {
-        const LookValues& look = look_of(scene);
-        for (std::size_t i = 0; i < std::size(k.look); ++i) k.look[i] = real(look.numbers.at(i));
+    if (const LookValues* look = look_of(scene)) {
+        for (std::size_t i = 0; i < std::size(k.look); ++i) k.look[i] = real(look->numbers.at(i));
     }
     put_camera(scene, k);
     k.spacing = spacing_of(k);

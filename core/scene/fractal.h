@@ -144,7 +144,7 @@ struct FractalFlight {
     Vector (*upward)(Vector place, Vector up) = defaults::upward;
 };
 
-// Ranges of random scenes (core/scene/random_scene.h and extreme_scene.h). Both functions change the shape that the
+// Ranges of random scenes (core/scene/random_scene.h). Both functions change the shape that the
 // scene already has.
 struct FractalRandom {
     double extent;             // approximate max distance of the fractal from the origin

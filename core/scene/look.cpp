@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <bitset>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "core/text/error.h"
 #include "core/text/number.h"
 #include "core/text/text.h"
-#include "core/scene/scene.h"
 
 namespace mandelmarch {
 namespace {
@@ -98,21 +98,22 @@ LookValues parse_look(std::string_view text, const std::string& name)
     return reader.result();
 }
 
-const LookValues& built_in_look(int colouring)
+const LookValues* look_named(std::string_view name)
 {
-    static const std::array looks{
-        parse_look(
-#include "texts/limestone.look"
-            , "limestone.look"),
-        parse_look(
-#include "texts/coral.look"
-            , "coral.look"),
-        parse_look(
-#include "texts/lagoon.look"
-            , "lagoon.look"),
+    struct File {
+        std::string_view name, text;
     };
-    static_assert(std::tuple_size_v<decltype(looks)> == colouring_types - 2, "each look needs its file here");
-    return looks.at(static_cast<std::size_t>(colouring) - 2);
+    static const auto looks = [] {
+        std::map<std::string, LookValues, std::less<>> all;
+        for (const auto& [stem, text] : {
+#include "looks.inc"
+             }) {
+            all.emplace(stem, parse_look(text, fmt::format("{}.look", stem)));
+        }
+        return all;
+    }();
+    const auto found = looks.find(name);
+    return found == looks.end() ? nullptr : &found->second;
 }
 
 }  // namespace mandelmarch

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A look: the colours and the light of a colouring type from 2 on, as named numbers. core/kernel/looks.h computes with
-// them. The folder scenes contains the built-in looks as files, and docs/looks.md explains the format.
+// A look: the colours and the light of a colouring, as named numbers. core/kernel/looks.h computes with them. Each file
+// NAME.look of the folder scenes becomes a look of that name; docs/looks.md explains the format.
 #pragma once
 
 #include <array>
@@ -76,7 +76,7 @@ struct LookValues {
 // begins with `name` and, if a line is wrong, the line's number.
 LookValues parse_look(std::string_view text, const std::string& name);
 
-// Returns the look of a colouring type from 2 on.
-const LookValues& built_in_look(int colouring);
+// Returns the look of the file scenes/NAME.look; nullptr if there was no such file when the program was built.
+const LookValues* look_named(std::string_view name);
 
 }  // namespace mandelmarch

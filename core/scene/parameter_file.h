@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads parameter files (.dat). They are text, with one entry per line in a fixed order; `#` begins a comment.
+//     const ParameterFile file = read_parameters("paramsBox.dat", fractal_named("box"));
+//     for (const std::string& warning : file.warnings) say("{}\n", warning);
 #pragma once
 
 #include <string>

@@ -37,6 +37,10 @@ void check_scene(const Scene& scene, const std::function<std::string(Item)>& whe
     }
 }
 
-const LookValues& look_of(const Scene& scene) { return scene.look ? *scene.look : built_in_look(scene.colouring); }
+const LookValues* look_of(const Scene& scene)
+{
+    if (scene.look) return &*scene.look;
+    return look_named(colouring_names.at(static_cast<std::size_t>(scene.colouring)));
+}
 
 }  // namespace mandelmarch

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene: the values of a parameter file, and options of the rendering that are not in the file.
+//     Scene scene = official_scene(fractal_named("bulb"), 640, 480);  // core/scene/parameter_file.h
+//     scene.eye = 0.9 * scene.eye;
 #pragma once
 
 #include <array>
@@ -20,7 +22,8 @@ inline constexpr double degrees_per_field = 65;  // vertical angle of view for a
 inline constexpr double max_field_of_view = 180 / degrees_per_field;
 
 // Names of the colouring types. 0 and 1 are those of the original program, which makes colours from the components of
-// the normal, x as red or x as blue. 2 and above are looks (core/kernel/looks.h).
+// the normal, x as red or x as blue. A type with the name of a look (look_named()) is that look. Any other type needs a
+// formula in lit() in core/kernel/shade.h.
 inline constexpr std::array<std::string_view, 5> colouring_names{"normals as RGB", "normals as BGR", "limestone",
                                                                  "coral", "lagoon"};
 inline constexpr int colouring_types = static_cast<int>(colouring_names.size());
@@ -73,8 +76,8 @@ struct Scene {
     bool smooth = false;        // normals ignore details smaller than a tolerance
     bool centred = false;       // rays go through the centres of the pixels; false: through their lower left corners
     Projection projection = Projection::perspective;
-    Vector sun{0.48, 0.64, 0.6};     // unit vector towards the sun, for colouring types 2 and above
-    std::optional<LookValues> look;  // of colouring types 2 and above; nullopt: built_in_look()
+    Vector sun{0.48, 0.64, 0.6};     // unit vector towards the sun, for looks
+    std::optional<LookValues> look;  // replaces the look of the colouring type
     StepLimits limits;
     CropWindow crop_window;
 
@@ -90,7 +93,7 @@ inline constexpr int item_count = 11;
 // the entry.
 void check_scene(const Scene& scene, const std::function<std::string(Item)>& where);
 
-// Returns the look of a scene whose colouring type is 2 or above.
-const LookValues& look_of(const Scene& scene);
+// Returns the look of a scene; nullptr if its colouring is not a look.
+const LookValues* look_of(const Scene& scene);
 
 }  // namespace mandelmarch

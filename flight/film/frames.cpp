@@ -115,7 +115,7 @@ Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
         scene.colouring = picture.look->colouring;
         scene.look = picture.look->values;
     }
-    if (scene.colouring > 1) scene.sun = sun_of(path, look_of(scene), frame);
+    if (const LookValues* look = look_of(scene)) scene.sun = sun_of(path, *look, frame);
     return scene;
 }
 

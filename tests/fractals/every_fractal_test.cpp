@@ -9,7 +9,7 @@
 
 #include "backends/all.h"
 #include "core/image/compare.h"
-#include "core/scene/extreme_scene.h"
+#include "core/scene/random_scene.h"
 #include "core/scene/fractal.h"
 #include "flight/field/field.h"
 #include "core/instruments/trace.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernel source, part 5, for tests: Sierpinski's tetrahedron as a kaleidoscopic iterated function system (Knighty,
 // Fractal Forums, 2010), z -> s fold(z) - (s - 1) (1, 1, 1). Folds do not increase distances, and the rest of the map
-// multiplies them by s, so the estimate is a lower bound.
+// multiplies them by s, so the estimate is a lower bound. This fractal takes every default that a kernel source can
+// take.
+#define MM_NO_GRADIENT
 
 FN scalar sierpinski_scale(Scene scene) { return scene.fractal[0]; }
 FN scalar sierpinski_offset(Scene scene) { return scene.fractal[1]; }   // s - 1
@@ -30,10 +32,6 @@ FN vec3 sierpinski_next(Scene scene, vec3 f)
 // Returns |z|^2, but at least 1e-30.
 FN real sierpinski_r2(vec3 z) { return larger(dot3(z, z), R(1.0e-30)); }
 
-// Returns the part of a ray that can meet the surface, which is the part inside a sphere. hull() in the descriptor
-// (sierpinski.cpp) computes the sphere's radius, with a proof.
-FN Span hull(scalar size, vec3 origin, vec3 direction) { return sphere_span(size, origin, direction); }
-
 FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     vec3 z = p;
@@ -52,42 +50,6 @@ FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
     result.iterations = iterations;
     return result;
 }
-
-// Returns the gradient of the estimate, multiplied by a positive factor. Differentiates forward along the three axes.
-// Only the mirrors change the directions of these axes.
-FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
-{
-    vec3 z = p;
-    vec3 x = vec3(1, 0, 0);
-    vec3 y = vec3(0, 1, 0);
-    vec3 w = vec3(0, 0, 1);
-    int i = 0;
-    while (i < scene.max_iterations && any(on)) {
-        vec3 f = z;
-        mask below = on && f.x + f.y < 0;
-        f = mirrored_xy(below, f);
-        x = mirrored_xy(below, x);
-        y = mirrored_xy(below, y);
-        w = mirrored_xy(below, w);
-        below = on && f.x + f.z < 0;
-        f = mirrored_xz(below, f);
-        x = mirrored_xz(below, x);
-        y = mirrored_xz(below, y);
-        w = mirrored_xz(below, w);
-        below = on && f.y + f.z < 0;
-        f = mirrored_yz(below, f);
-        x = mirrored_yz(below, x);
-        y = mirrored_yz(below, y);
-        w = mirrored_yz(below, w);
-        z = pick3(on, sierpinski_next(scene, f), z);
-        on = on && sierpinski_r2(z) < sierpinski_escape2(scene);
-        i = i + 1;
-    }
-    return vec3(dot3(z, x), dot3(z, y), dot3(z, w));
-}
-
-// Returns the fraction of light that haze absorbs over a distance t: a half at 3, about the fractal's size.
-FN real haze(real t) { return quotient(t, t + R(3.0)); }
 
 // Returns the orbit's smallest distances from the planes x = 1 and y = z, and its smallest |z|^2, for colours.
 FN_CALLED vec3 orbit_trap(Scene scene, vec3 p, mask on)

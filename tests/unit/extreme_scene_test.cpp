@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extreme scenes are reproducible, valid as parameter files, and varied. At least a third of them show a surface.
-#include "core/scene/extreme_scene.h"
+#include "core/scene/random_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "backends/openmp/openmp.h"
+#include "backends/all.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "tests/scenes.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "backends/openmp/openmp.h"
+#include "backends/all.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "tests/refusal.h"
@@ -74,13 +74,13 @@ TEST(Look, WrongLinesAreNamed)
 // Each built-in look has its own numbers, and the look of a scene replaces them.
 TEST(Look, BelongsToTheColouringType)
 {
-    EXPECT_NE(built_in_look(2), built_in_look(3));
-    EXPECT_NE(built_in_look(3), built_in_look(4));
+    EXPECT_NE(*look_named("limestone"), *look_named("coral"));
+    EXPECT_EQ(look_named("normals as RGB"), nullptr);
     Scene scene = official_scene("bulb", 16, 9);
     scene.colouring = 4;
-    EXPECT_EQ(look_of(scene), built_in_look(4));
+    EXPECT_EQ(look_of(scene), look_named("lagoon"));
     scene.look = cloudy_look();
-    EXPECT_EQ(look_of(scene), cloudy_look());
+    EXPECT_EQ(*look_of(scene), cloudy_look());
 }
 
 }  // namespace

@@ -66,4 +66,4 @@ HWY_INLINE void paint(const Drawing& d, Int left, Int bottom, const PaintedRow& 
 
 // Returns true if a subtile without hits can be painted without rays: the background has a single colour, and the
 // picture stores only bytes.
-HWY_INLINE bool paints_background(const Drawing& d) { return d.canvas.bytes != nullptr && d.scene.colouring <= 1; }
+HWY_INLINE bool paints_background(const Drawing& d) { return d.canvas.bytes != nullptr && has_look(d.scene) == 0; }

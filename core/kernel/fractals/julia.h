@@ -43,10 +43,6 @@ FN Quaternion julia_next(Scene scene, Quaternion z)
                       twice * z.j + scene.fractal[2], twice * z.k + scene.fractal[3]);
 }
 
-// Returns the part of a ray that can meet the surface. The hull is a sphere; docs/hulls.md explains why it contains the
-// set.
-FN Span hull(scalar size, vec3 origin, vec3 direction) { return sphere_span(size, origin, direction); }
-
 FN_SAMPLED Estimate estimate(Scene scene, vec3 p, mask on)
 {
     Quaternion z = quaternion(p.x, p.y, p.z, 0);
@@ -124,9 +120,6 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
     real ln_r = natural_log(r);
     return vec3(julia_slope(z, r, ln_r, x), julia_slope(z, r, ln_r, y), julia_slope(z, r, ln_r, w));
 }
-
-// Returns the fraction of light that haze absorbs over a distance t. It is one half at t = 2, about the fractal's size.
-FN real haze(real t) { return quotient(t, t + R(2.0)); }
 
 // Returns, for colours, the min distances of the orbit of p from the spaces a = 0 and j = 0, and the min of |z|^2. Uses
 // few iterations, so that colours are smooth at the scale of a picture.

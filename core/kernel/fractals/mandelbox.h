@@ -7,6 +7,8 @@
 // Refill (a lane takes a new ray when its own has ended) is useful here: rays need very different numbers of steps, but
 // neighbouring pixels need similar numbers of iterations per step, so that lanes rarely wait within a step.
 #define MM_REFILL_LANES 1
+#define MM_SIZE R(8.0)
+#define MM_HULL_SPAN cube_span
 
 FN scalar box_scale(Scene scene) { return scene.fractal[0]; }          // |s|
 FN scalar box_sign(Scene scene) { return scene.fractal[1]; }           // sign of s: -1 or 1
@@ -36,10 +38,6 @@ FN real box_growth(Scene scene, real r2)
 {
     return pick(r2 < box_outer_radius2(scene), box_shell(scene, r2), box_scale(scene));
 }
-
-// Returns the part of a ray that can meet the surface. The hull is a cube; docs/hulls.md explains why it contains the
-// surface.
-FN Span hull(scalar size, vec3 origin, vec3 direction) { return cube_span(size, origin, direction); }
 
 struct BoxOrbit {
     vec3 z;
@@ -265,9 +263,6 @@ FN_CALLED vec3 gradient(Scene scene, vec3 p, mask on)
                 box_slope(scene, end, end.z.y * end.direct.y, length, y),
                 box_slope(scene, end, end.z.z * end.direct.z, length, w));
 }
-
-// Returns the fraction of light that haze absorbs over a distance t. It is one half at t = 8, about the fractal's size.
-FN real haze(real t) { return quotient(t, t + R(8.0)); }
 
 // Returns, for colours, the min distances of the folded orbit of p from the planes x = 0 and x = y (the latter up to a
 // factor), and the min of r^2. Uses few iterations, so that colours are smooth at the scale of a picture.

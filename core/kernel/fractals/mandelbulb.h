@@ -6,6 +6,7 @@
 // Number of registers of openmp's wide packs (vectors of pixels) with AVX-512. Three hide the latency of an iteration,
 // and cause fewer spills than four (docs/notes/experiments.md).
 #define MM_WIDE_REGISTERS_AVX3 3
+#define MM_SIZE R(1.6)
 
 FN scalar bulb_bailout(Scene scene) { return scene.fractal[0]; }
 FN scalar bulb_power(Scene scene) { return scene.fractal[1]; }        // P
@@ -77,10 +78,6 @@ FN vec3 bulb_next(BulbPower power, vec3 p)
 {
     return vec3(power.polar.im * power.azimuth.re + p.x, power.polar.im * power.azimuth.im + p.y, power.polar.re + p.z);
 }
-
-// Returns the part of a ray that can meet the surface. The hull is a sphere; docs/hulls.md explains why it contains the
-// surface.
-FN Span hull(scalar size, vec3 origin, vec3 direction) { return sphere_span(size, origin, direction); }
 
 // For the eighth power, lengths are in units of 2^(-1/7). In these units the next point is z^8 / 2 + p, and the factor
 // 8 r^7 of the derivative becomes 4 r^7.
@@ -200,10 +197,6 @@ FN Estimate estimate(Scene scene, vec3 p, mask on)
 }
 
 #include "core/kernel/fractals/mandelbulb/gradient.h"
-
-// Returns the fraction of light that haze absorbs over a distance t. It is one half at t = 1.6, about the fractal's
-// size.
-FN real haze(real t) { return quotient(t, t + R(1.6)); }
 
 // Returns, for colours, the min of |x|, |z| and r^2 along the orbit of p. Uses few iterations, so that colours are
 // smooth at the scale of a picture.
