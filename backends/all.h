@@ -6,6 +6,10 @@
 
 namespace mandelmarch {
 
+// Two backends that every build has.
+std::unique_ptr<Backend> make_openmp_backend();
+std::unique_ptr<Backend> make_reference_backend();
+
 // Returns all backends, with their drivers in this process.
 Registry all_backends();
 

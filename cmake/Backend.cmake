@@ -5,14 +5,17 @@
 set(MANDELMARCH_CXX "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MANDELMARCH_CXX_FLAGS)
 
-# mandelmarch_kernel_build(SOURCE COMPILER WORD... EXACT FLAG... FAST FLAG...): defines the macros
+# mandelmarch_kernel_build(SOURCE [COMPILER WORD...] [EXACT FLAG...] [FAST FLAG...]): defines the macros
 # MANDELMARCH_BUILD_COMPILER, _EXACT and _FAST in SOURCE, which sets BackendInfo::build from them. They hold the
-# compiler of the kernels and its flags in each mode.
+# compiler of the kernels and its flags in each mode; by default those of the C++ sources.
 function(mandelmarch_kernel_build source)
     cmake_parse_arguments(PARSE_ARGV 1 build "" "" "COMPILER;EXACT;FAST")
+    set(usual_COMPILER ${MANDELMARCH_CXX})
+    set(usual_EXACT ${MANDELMARCH_CXX_FLAGS} ${MANDELMARCH_FP_exact})
+    set(usual_FAST ${MANDELMARCH_CXX_FLAGS} ${MANDELMARCH_FP_fast})
     foreach(fact COMPILER EXACT FAST)
         if(NOT build_${fact})
-            message(FATAL_ERROR "${source}: mandelmarch_kernel_build needs ${fact}")
+            set(build_${fact} ${usual_${fact}})
         endif()
         list(JOIN build_${fact} " " words)
         set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS "MANDELMARCH_BUILD_${fact}=\"${words}\"")

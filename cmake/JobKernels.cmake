@@ -3,10 +3,23 @@
 # docs/add-a-backend.md.
 include(Kernels)
 
+# mandelmarch_host_model(NAME [OPTIONS FLAG...] [PACKAGES PACKAGE...] [COMPILER WORD...]): adds the target
+# mandelmarch_NAME, a backend whose loop on this machine's cores is in backends/NAME/loop.h (core/models/host.h). The
+# FLAGs apply to the kernels alone. The PACKAGEs are linked. The WORDs are recorded as the compiler.
+function(mandelmarch_host_model model)
+    cmake_parse_arguments(PARSE_ARGV 1 with "" "" "OPTIONS;PACKAGES;COMPILER")
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${model}.cpp)
+    configure_file(${PROJECT_SOURCE_DIR}/core/models/host.cpp.in ${source} @ONLY)
+    mandelmarch_job_model(${model} ${source} OPTIONS ${with_OPTIONS} PACKAGES ${with_PACKAGES})
+    mandelmarch_kernel_build(${source} COMPILER ${with_COMPILER}
+        EXACT ${MANDELMARCH_CXX_FLAGS} ${with_OPTIONS} ${MANDELMARCH_FP_exact}
+        FAST ${MANDELMARCH_CXX_FLAGS} ${with_OPTIONS} ${MANDELMARCH_FP_fast})
+endfunction()
+
 # mandelmarch_job_model(NAME SOURCE... [KERNELS TARGET] [TEMPLATES FOLDER] [OPTIONS FLAG...] [PACKAGES PACKAGE...]):
 # adds the target mandelmarch_NAME with the SOURCEs and the kernels. The kernels are generated from two templates:
 # loops.cpp.in for every fractal, precision and mode, and peak.cpp.in for every precision, with fast mode's contraction.
-# The templates are in FOLDER. By default they are those of core/models, which call loop() of backends/NAME/loop.h. The
+# The templates are in FOLDER. By default they are those of core/models, which call Loop::run() of backends/NAME/loop.h. The
 # functions drawing() and chains() (core/models/model.h) find the kernels; they are generated in the namespace
 # mandelmarch::NAME. If TARGET is given, the kernels become part of TARGET instead, and the SOURCEs must define both
 # functions. The FLAGs apply to the kernels alone. The PACKAGEs are linked to mandelmarch_NAME.

@@ -10,6 +10,7 @@
 #include "core/text/error.h"
 #include "core/text/text.h"
 #include "core/models/model.h"
+#include "core/render/schedule.h"
 
 namespace mandelmarch {
 namespace MM_MODEL {
@@ -74,7 +75,7 @@ public:
                            .driver = job::version_of(driver()),
                            .is_gpu = true},
                 .instruction_set = MANDELMARCH_GPU_CODE,
-                .pixels_per_band = job::pixels_of_band(threads),
+                .pixels_per_band = pixels_of_gpu(threads),
                 .resident_threads = threads,
                 .peak_threads = 1 << 21};
     }

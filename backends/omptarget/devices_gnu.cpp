@@ -9,6 +9,7 @@
 #include "backends/omptarget/devices.h"
 #include "core/text/text.h"
 #include "core/gpu/driver.h"
+#include "core/render/schedule.h"
 
 namespace mandelmarch::omptarget {
 namespace {
@@ -33,7 +34,7 @@ job::OpenedDevice opened(int index, job::Chains*)
     omp_target_free(omp_target_alloc(1, index), index);  // opens the device: the driver translates the kernels
     return {.device = device,
             .instruction_set = "PTX for sm_35",
-            .pixels_per_band = job::pixels_of_band(job::resident_threads(job::nvidia_driver(), index)),
+            .pixels_per_band = pixels_of_gpu(job::resident_threads(job::nvidia_driver(), index)),
             .peak_threads = 1 << 21};
 }
 

@@ -6,6 +6,7 @@
 #include "core/text/text.h"
 #include "core/models/model.h"
 #include "core/gpu/driver.h"
+#include "core/render/schedule.h"
 
 namespace mandelmarch {
 namespace openacc {
@@ -16,7 +17,6 @@ job::Chains* chains(std::string_view precision);
 namespace {
 
 constexpr acc_device_t gpu = acc_device_nvidia;
-constexpr const char* gpu_code = "PTX for sm_35";
 constexpr const char* gpu_kind = "NVIDIA GPU";
 
 // Pixels per band on the host, where bands serve only to report progress.
@@ -84,8 +84,8 @@ public:
                                .vendor = text_of(index, acc_property_vendor),
                                .driver = text_of(index, acc_property_driver),
                                .is_gpu = true},
-                    .instruction_set = gpu_code,
-                    .pixels_per_band = job::pixels_of_band(threads),
+                    .instruction_set = "PTX for sm_35",
+                    .pixels_per_band = pixels_of_gpu(threads),
                     .resident_threads = threads,
                     .peak_threads = gpu_threads};
         }
@@ -108,8 +108,7 @@ public:
 
     double seconds_of(const std::function<void()>& launch) const override
     {
-        const bool has_clock = gpu == acc_device_nvidia && used < gpus();
-        return has_clock ? job::seconds_on_gpu(job::nvidia_driver(), launch) : Model::seconds_of(launch);
+        return used < gpus() ? job::seconds_on_gpu(job::nvidia_driver(), launch) : Model::seconds_of(launch);
     }
 
     std::optional<std::size_t> free_memory(int index) const override

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/openmp/openmp.h"
-
+// The OpenMP backend: the kernel on all cores of this machine. A core processes one pixel at a time, or a pack: a
+// vector of pixels, one or more SIMD registers wide.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <omp.h>
@@ -254,7 +254,6 @@ public:
                 .concurrent = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
-    std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {host_device()}; }
     std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {

@@ -250,7 +250,6 @@ public:
 
     std::string_view name() const override { return command_.name; }
     BackendInfo info() const override { return {.foreign = command_.foreign, .replays = true}; }
-    std::optional<std::string> unavailable() const override { return {}; }
     std::vector<Device> devices() const override { return {command_.device}; }
     std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {

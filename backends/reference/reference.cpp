@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "backends/reference/reference.h"
-
+// The reference backend: a simple serial renderer in double precision. It shares no formula with the kernel; for
+// example, its Mandelbulb uses trigonometric functions. It provides the expected pictures and the baseline times.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "core/os/cpu.h"
 #include "core/text/error.h"
 #include "core/os/stopwatch.h"
+#include "core/render/backend.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch {
@@ -79,8 +80,7 @@ public:
 
     const Work& work() const { return work_; }
 
-    // Renders pixel (i, j) into element `at` of the tile.
-    void draw(int i, int j, int at, Tile<double>& tile)
+    void draw(int i, int j, Image& image)
     {
         const Work before = work_;
         const Vector direction = direction_through(scene_, axes_, i, j);
@@ -89,13 +89,12 @@ public:
         if (hit.found) {
             colour = shaded(normal(hit, direction), direction);
         }
-        tile.red[at] = colour.x;
-        tile.green[at] = colour.y;
-        tile.blue[at] = colour.z;
-        tile.depth[at] = hit.found ? hit.t : std::numeric_limits<double>::infinity();
-        tile.steps[at] = static_cast<int>(work_.steps - before.steps);
-        tile.de_calls[at] = static_cast<int>(work_.de_calls - before.de_calls);
-        tile.iterations[at] = static_cast<int>(work_.iterations - before.iterations);
+        const double reals[] = {colour.x, colour.y, colour.z,
+                                hit.found ? hit.t : std::numeric_limits<double>::infinity()};
+        const int wholes[] = {static_cast<int>(work_.steps - before.steps),
+                              static_cast<int>(work_.de_calls - before.de_calls),
+                              static_cast<int>(work_.iterations - before.iterations)};
+        image.store(planes_of(reals, wholes, 1, 1), i, j, 1, 1);
     }
 
 private:
@@ -230,18 +229,9 @@ private:
     {
         const auto start = Clock::now();
         Tracer<Fractal> tracer(scene, mode_);
-        Tile<double> tile;
-        for (int bottom = image.first_row(); bottom < image.end_row(); bottom += tile_side) {
-            for (int left = 0; left < scene.width; left += tile_side) {
-                const int width = std::min(tile_side, scene.width - left);
-                const int height = std::min(tile_side, image.end_row() - bottom);
-                for (int y = 0; y < height; ++y) {
-                    for (int x = 0; x < width; ++x) tracer.draw(left + x, bottom + y, y * tile_side + x, tile);
-                }
-                image.store(planes_of(tile), left, bottom, width, height);
-            }
-            if (progress)
-                progress(std::min(1.0, static_cast<double>(bottom + tile_side - image.first_row()) / image.height()));
+        for (int j = image.first_row(); j < image.end_row(); ++j) {
+            for (int i = 0; i < scene.width; ++i) tracer.draw(i, j, image);
+            if (progress) progress(static_cast<double>(j + 1 - image.first_row()) / image.height());
         }
         RenderStats report{.backend = "reference",
                            .device = this_cpu(),
@@ -270,7 +260,6 @@ public:
                 .role = Role::reference,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
-    std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {this_cpu()}; }
     bool draws(const Scene& scene) const override
     {

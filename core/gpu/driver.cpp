@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <map>
-#include <mutex>
 #include <type_traits>
-#include <vector>
 
 #include "core/text/error.h"
 #include "core/os/stopwatch.h"
@@ -98,62 +96,24 @@ Driver opened(Driver driver)
     return driver;
 }
 
-// A pair of events of a context: one is recorded before some launches, the other one after them.
-struct Pair {
+// Two events: one is recorded before some launches, the other one after them. Null: there are none.
+struct Events {
     void* first = nullptr;
     void* last = nullptr;
 };
 
-// The pairs that are not in use. They are never destroyed: at the end of the process their driver may already be gone.
-struct Kept {
-    std::mutex mutex;
-    std::map<void*, std::vector<Pair>> pairs;
-};
-
-Kept& kept()
+// Returns the calling thread's events in the context that it uses. They are never destroyed: at the end of the process
+// their driver may already be gone.
+Events events_of(const Driver& driver)
 {
-    static Kept& only = *new Kept;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): see above
-    return only;
+    thread_local std::map<void*, Events> made;
+    void* context = nullptr;
+    if (driver.devices == 0 || driver.in_use(&context) != 0) return {};
+    Events& events = made[context];
+    const bool known = events.last != nullptr;
+    if (!known && (driver.make_event(&events.first, 0) != 0 || driver.make_event(&events.last, 0) != 0)) events = {};
+    return events;
 }
-
-// Uses a pair of events of the calling thread's context; makes one if all are in use.
-class Events {
-public:
-    explicit Events(const Driver& driver) : driver_(driver)
-    {
-        if (driver.devices == 0 || driver.in_use(&context_) != 0) return;
-        const std::scoped_lock lock(kept().mutex);
-        std::vector<Pair>& pairs = kept().pairs[context_];
-        if (pairs.empty()) {
-            made_ = driver.make_event(&pair_.first, 0) == 0 && driver.make_event(&pair_.last, 0) == 0;
-            return;
-        }
-        pair_ = pairs.back();
-        pairs.pop_back();
-        made_ = true;
-    }
-    ~Events()
-    {
-        if (!made_) return;
-        const std::scoped_lock lock(kept().mutex);
-        kept().pairs[context_].push_back(pair_);
-    }
-    Events(const Events&) = delete;
-    Events& operator=(const Events&) = delete;
-
-    // Record an event. Return false if it could not be created or recorded.
-    bool begin() const { return made_ && driver_.record(pair_.first, nullptr) == 0; }
-    bool end() const { return made_ && driver_.record(pair_.last, nullptr) == 0; }
-    bool wait() const { return driver_.wait_for_event(pair_.last) == 0; }
-    // Sets `milliseconds` to the time between the events. Returns false unless both have occurred.
-    bool between(float& milliseconds) const { return driver_.elapsed(&milliseconds, pair_.first, pair_.last) == 0; }
-
-private:
-    const Driver& driver_;
-    void* context_ = nullptr;
-    Pair pair_;
-    bool made_ = false;
-};
 
 }  // namespace
 
@@ -202,19 +162,19 @@ std::string version_of(const Driver& driver)
 
 double seconds_on_gpu(const Driver& driver, const std::function<void()>& launch, const std::function<void()>& wait)
 {
-    const Events events(driver);
+    const auto [first, last] = events_of(driver);
     const auto start = Clock::now();
-    bool timed = events.begin();
+    bool timed = last != nullptr && driver.record(first, nullptr) == 0;
     launch();
-    timed = timed && events.end();
+    timed = timed && driver.record(last, nullptr) == 0;
     if (wait) {
         wait();
     } else {
-        timed = timed && events.wait();
+        timed = timed && driver.wait_for_event(last) == 0;
     }
     const double seconds = seconds_since(start);
     float milliseconds = 0;
-    return timed && events.between(milliseconds) ? 1e-3 * milliseconds : seconds;
+    return timed && driver.elapsed(&milliseconds, first, last) == 0 ? 1e-3 * milliseconds : seconds;
 }
 
 int resident_threads(const Driver& driver, int index)

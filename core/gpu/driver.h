@@ -3,14 +3,10 @@
 // backends openacc and omptarget use NVIDIA's for queries that their run-time libraries lack.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
-
-#include "core/render/schedule.h"
 
 namespace mandelmarch::job {
 
@@ -85,12 +81,5 @@ double seconds_on_gpu(const Driver& driver, const std::function<void()>& launch,
 // Returns the number of threads that are resident on a GPU at once, at most. Returns 0 if the driver is missing, if the
 // number is unknown or if a watchdog ends kernels that take several seconds.
 int resident_threads(const Driver& driver, int index);
-
-// Returns the number of pixels of a band for a GPU with so many resident threads (0: unknown). At the end of each band
-// most threads wait for the slowest rays, so there are few bands.
-constexpr std::int64_t pixels_of_band(int threads)
-{
-    return std::clamp(std::int64_t{128} * threads, fewest_of_gpu, largest_band);
-}
 
 }  // namespace mandelmarch::job

@@ -13,20 +13,12 @@ Image::Image(int width, int height, Layers layers, std::pmr::memory_resource* me
 std::size_t Image::bytes_per_pixel(Layers layers) { return layers == Layers::bytes ? 3 : 3 + sizeof(PixelValue); }
 
 template <class Real>
-Planes<Real> planes_of(const Tile<Real>& tile)
-{
-    return {tile.red, tile.green, tile.blue, tile.depth, tile.steps, tile.de_calls, tile.iterations, tile_side};
-}
-
-template <class Real>
 Planes<Real> planes_of(const Real* reals, const int* wholes, std::size_t pixels, std::size_t stride)
 {
     return {reals,  reals + pixels,  reals + 2 * pixels,  reals + 3 * pixels,
             wholes, wholes + pixels, wholes + 2 * pixels, stride};
 }
 
-template Planes<float> planes_of(const Tile<float>&);
-template Planes<double> planes_of(const Tile<double>&);
 template Planes<float> planes_of(const float*, const int*, std::size_t, std::size_t);
 template Planes<double> planes_of(const double*, const int*, std::size_t, std::size_t);
 

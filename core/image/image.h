@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A rendered picture in memory.
+//     Image image(640, 480, Image::Layers::all);
+//     const std::uint8_t red = image.bytes()[3 * (y * 640 + x)];  // y = 0 is the bottom row
+//     const double depth = image.values()[y * 640 + x].depth;
 #pragma once
 
 #include <cstddef>
@@ -34,9 +37,6 @@ struct Planes {
     const int* iterations;
     std::size_t stride;  // pixels
 };
-
-template <class Real>
-Planes<Real> planes_of(const Tile<Real>& tile);
 
 // Returns the planes of a device's buffers. Each plane has `pixels` values. `reals` contains real_planes planes (red,
 // green, blue, depth), `wholes` contains whole_planes (steps, DE evaluations, iterations).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of programming models that compile C++ and run the scalar kernel in their own loops. See
-// docs/add-a-backend.md, "A model that compiles C++".
+// The interface of programming models that compile C++ and run the scalar kernel in their own loops. A loop on a CPU
+// needs core/models/host.h only. Other models write a class and their factory:
+//     class Mine : public job::Model { ... name(), info(), kernels(), open(), allocate(), upload() ... };
+//     std::unique_ptr<Backend> make_mine_backend() { return job::backend_of(std::make_unique<Mine>()); }
 #pragma once
 
 #include <cstddef>
@@ -12,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/models/host.h"
 #include "core/models/job.h"
 #include "core/render/backend.h"
 
@@ -36,8 +39,6 @@ struct Kernels {
     DrawKernel* (*drawing)(std::string_view variant);  // by variant_name()
     Chains* (*chains)(std::string_view precision);     // by name_of()
 };
-
-using Selection = std::shared_ptr<void>;
 
 // A programming model. The functions below select() are called while a selection lives.
 class Model {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Output files that appear completely or not at all.
+//     OutputFile::check(path);  // before the work: refuses a path that cannot be written
+//     write_file(path, text);   // or OutputFile file(path); file.write(...); file.commit();
 #pragma once
 
 #include <cstddef>

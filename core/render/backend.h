@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interface of backends. A backend depends on core only. Programs use backends through this header and the
-// registry.
+// registry:
+//     const auto renderer = registry.with(Role::host).create({.mode = Mode::fast});
+//     Image image(scene.width, scene.height, Image::Layers::bytes);
+//     const RenderStats stats = renderer->render(scene, image);
 #pragma once
 
 #include <cstdint>
@@ -230,7 +233,7 @@ public:
     virtual std::vector<InstalledDriver> installed_drivers() const { return {}; }
 
     // Returns the reason why no device can be used; nullopt if one can.
-    virtual std::optional<std::string> unavailable() const = 0;
+    virtual std::optional<std::string> unavailable() const { return std::nullopt; }
 
     // Returns the devices; empty if unavailable() returns a reason.
     virtual std::vector<Device> devices() const = 0;

@@ -29,12 +29,6 @@ void cut_out(const Image& strip, const Region& region, Image& image)
     }
 }
 
-void add_report(RenderStats& to, const RenderStats& from)
-{
-    to.timings += from.timings;
-    to.work += from.work;
-}
-
 }  // namespace
 
 std::size_t pixels_in_memory(const Scene& scene, const Region& region)
@@ -63,7 +57,8 @@ std::pair<Image, RenderStats> render_region(Renderer& renderer, const Scene& sce
             // The trial of the first strip serves all.
             if (one.step_factor > 0) drawn.limits = {one.step_factor, scene.limits.root_share, true};
         } else {
-            add_report(report, one);
+            report.timings += one.timings;
+            report.work += one.work;
         }
         if (whole_rows) {
             image = std::move(strip);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The schedule of passes, the same for all backends: the picture is divided into bands of rows, and for each band the
-// kernel's entry points are called.
+// kernel's entry points are called. A backend writes an Executor and calls
+//     run_schedule(scene, options.mode, {.pixels_per_band = most}, executor, image, progress);
+// It runs, for each band: run(Entry::draw, band, max_steps), then read_back(band, image).
 #pragma once
 
 #include <algorithm>
@@ -58,17 +60,18 @@ struct Limits {
     double seconds_per_band = 0;
 };
 
-// Max pixels of any band, and min pixels of a band of a GPU.
-inline constexpr std::int64_t largest_band = 1 << 22;
-inline constexpr std::int64_t fewest_of_gpu = 1 << 18;
-// A GPU's band has this many pixels per resident thread, that is, this many waves of threads.
-inline constexpr std::int64_t waves_of_band = 16;
+inline constexpr std::int64_t largest_band = 1 << 22;  // max pixels of any band
 
-// Returns the pixels of a band for a GPU with `threads` resident threads (0: unknown). The number of waves is so large
-// that the last one, in which most threads wait for the slowest ray, takes a negligible part of the time.
-inline std::int64_t pixels_of_gpu(std::int64_t threads)
+// Returns the pixels of a band for a GPU with `threads` resident threads (0: unknown, or a watchdog ends long kernels).
+// A band has 16 waves of threads. With fewer, the last wave, in which most threads wait for the slowest ray, would take
+// a large part of the time. With more, a slow GPU could be cancelled only after seconds, or its watchdog could end the
+// band, and little would be saved: a 4K picture on a GPU of 30,000 threads has 17 bands, whose 70 launches take about a
+// millisecond. On GPUs of over 260,000 threads a band has largest_band pixels.
+constexpr std::int64_t pixels_of_gpu(std::int64_t threads)
 {
-    return std::clamp(waves_of_band * threads, fewest_of_gpu, largest_band);
+    constexpr std::int64_t waves = 16;
+    constexpr std::int64_t fewest = 1 << 18;
+    return std::clamp(waves * threads, fewest, largest_band);
 }
 
 // Returns the limits with bands of `band` pixels, but at most the device's capacity. If `band` is 0, the limits are

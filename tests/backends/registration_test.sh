@@ -13,7 +13,7 @@ test_lists() {
     prints '\{auto,reference,openmp,.*,skeleton\}'
     "$bin/render" --help | grep -q skeleton && fail "--help of render lists the skeleton"
     expect 0 "$bin/render_with_skeleton" --list-devices
-    prints '^skeleton *0: skeleton'
+    prints '^skeleton *0: .*a plain loop'
     prints '^openmp *0: '
     expect 2 "$bin/render" "${scene[@]}" --backend skeleton --output no.exr
     says skeleton

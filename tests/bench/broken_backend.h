@@ -7,7 +7,7 @@
 #include <memory>
 #include <string_view>
 
-#include "backends/openmp/openmp.h"
+#include "backends/all.h"
 #include "core/text/error.h"
 
 namespace mandelmarch::bench {

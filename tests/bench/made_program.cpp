@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "backends/reference/reference.h"
+#include "backends/all.h"
 #include "core/os/output_file.h"
 #include "core/image/formats/image_file.h"
 #include "core/scene/fractal.h"

@@ -12,8 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "backends/openmp/openmp.h"
-#include "backends/reference/reference.h"
+#include "backends/all.h"
 #include "bench/command/outputs.h"
 #include "bench/result/result_file.h"
 #include "core/text/error.h"

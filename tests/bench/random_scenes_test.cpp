@@ -8,8 +8,7 @@
 #include <regex>
 #include <vector>
 
-#include "backends/openmp/openmp.h"
-#include "backends/reference/reference.h"
+#include "backends/all.h"
 #include "bench/measure/views.h"
 #include "core/text/error.h"
 #include "core/image/compare.h"

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "backends/openmp/openmp.h"
-#include "backends/reference/reference.h"
+#include "backends/all.h"
 #include "core/image/compare.h"
 #include "core/render/agreement.h"
 #include "tests/scenes.h"

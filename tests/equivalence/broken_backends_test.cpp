@@ -1,40 +1,81 @@
 // SPDX-License-Identifier: Apache-2.0
 // Backends with a defect must fail the check of equivalence. The same backends pass if they have no defect.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "backends/openmp/openmp.h"
-#include "backends/reference/reference.h"
+#include "backends/all.h"
 #include "bench/fidelity/equivalence.h"
 #include "core/text/error.h"
-#include "core/render/kernel_scene.h"
+#include "core/models/model.h"
 #include "core/scene/fractal.h"
-#include "tests/equivalence/broken_kernels.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
+namespace skeleton {
+job::DrawKernel* drawing(std::string_view variant);
+job::DrawKernel* wrong_fold(std::string_view variant);
+job::DrawKernel* contracted(std::string_view variant);
+}  // namespace skeleton
+
 namespace {
 
 // last_picture: returns the previous picture if it has the right size. other_work: does not report any work.
 enum class Defect { none, wrong_fold, contraction, not_a_number, last_picture, upside_down, other_work, error };
 
+// Returns a variant of the Mandelbox as a variant of the mutant.
+std::string named(const char* mutant, std::string_view variant)
+{
+    return mutant + std::string(variant.substr(std::string_view("mandelbox").size()));
+}
+
+// The skeleton with the Mandelbox's kernels of a mutant.
+class Mutant : public job::Model {
+public:
+    explicit Mutant(Defect defect) : defect_(defect) {}
+    std::string_view name() const override { return "broken"; }
+    BackendInfo info() const override { return {.replays = true}; }  // without a trial, whose pictures are others
+    job::Kernels kernels() const override
+    {
+        if (defect_ == Defect::wrong_fold) {
+            return {[](std::string_view variant) { return skeleton::wrong_fold(named("wrong_fold", variant)); },
+                    nullptr};
+        }
+        if (defect_ == Defect::contraction) {
+            return {[](std::string_view variant) { return skeleton::contracted(named("contracted", variant)); },
+                    nullptr};
+        }
+        return {skeleton::drawing, nullptr};
+    }
+    job::OpenedDevice open(int) const override { return {.in_cells = true}; }
+
+private:
+    Defect defect_;
+};
+
 class BrokenRenderer : public Renderer {
 public:
-    BrokenRenderer(Defect defect, const RendererOptions& options) : defect_(defect), options_(options) {}
+    BrokenRenderer(Defect defect, const RendererOptions& options)
+        : defect_(defect), renderer_(job::backend_of(std::make_unique<Mutant>(defect))->create(options))
+    {
+    }
 
-    RenderStats render(const Scene& scene, Image& image, const Progress&) override
+    RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         if (defect_ == Defect::error) throw Error("the device is broken");
-        RenderStats report = last_report_;
         if (defect_ == Defect::last_picture && last_.width() == image.width() && last_.height() == image.height()) {
             image = last_;
-        } else {
-            report = {.backend = "broken", .device = {}, .instruction_set = {}, .timings = {}, .work = {}};
-            options_.precision == Precision::f32 ? draw<float>(scene, image, report.work)
-                                                 : draw<double>(scene, image, report.work);
+            return last_report_;
+        }
+        RenderStats report = renderer_->render(scene, image, progress);
+        if (defect_ == Defect::other_work) report.work = {};
+        if (defect_ == Defect::not_a_number) {
+            image.values().at(image.pixels() / 2).green = std::numeric_limits<double>::quiet_NaN();
+        }
+        if (defect_ == Defect::upside_down) {
+            std::ranges::reverse(image.values());  // also swaps left and right
+            std::ranges::reverse(image.bytes());
         }
         last_ = image;
         last_report_ = report;
@@ -42,35 +83,8 @@ public:
     }
 
 private:
-    template <class Real>
-    void draw(const Scene& scene, Image& image, Work& work) const
-    {
-        const auto variant = [&](const char* kernel) {
-            return fmt::format("{}_{}", kernel, name_of(options_.precision));
-        };
-        skeleton::DrawBand<Real>* const kernel =
-            defect_ == Defect::wrong_fold    ? skeleton::wrong_fold<Real>(variant("wrong_fold"))
-            : defect_ == Defect::contraction ? skeleton::contracted<Real>(variant("contracted"))
-                                             : skeleton::kernel_of<Real>(variant("mandelbox"));
-        const std::size_t pixels = image.pixels();
-        std::vector<Real> reals(real_planes * pixels);
-        std::vector<int> wholes(whole_planes * pixels);
-        kernel(kernel_scene<KernelScene<Real>>(scene, options_.mode), 0, image.height(), pixels, reals.data(),
-               wholes.data());
-        if (defect_ == Defect::not_a_number) reals[pixels + pixels / 2] = std::numeric_limits<Real>::quiet_NaN();
-        const auto width = static_cast<std::size_t>(image.width());
-        if (defect_ != Defect::other_work) {
-            add_work(work, planes_of(reals.data(), wholes.data(), pixels, width), image.width(), image.height());
-        }
-        for (int j = 0; j < image.height(); ++j) {
-            const int from = defect_ == Defect::upside_down ? image.height() - 1 - j : j;
-            const std::size_t at = static_cast<std::size_t>(from) * width;
-            image.store(planes_of(reals.data() + at, wholes.data() + at, pixels, width), 0, j, image.width(), 1);
-        }
-    }
-
     Defect defect_;
-    RendererOptions options_;
+    std::unique_ptr<Renderer> renderer_;
     Image last_;
     RenderStats last_report_;
 };
@@ -79,8 +93,7 @@ class BrokenBackend : public Backend {
 public:
     BrokenBackend(Defect defect, std::string_view name) : defect_(defect), name_(name) {}
     std::string_view name() const override { return name_; }
-    BackendInfo info() const override { return {.replays = true}; }  // without a trial, whose pictures are others
-    std::optional<std::string> unavailable() const override { return std::nullopt; }
+    BackendInfo info() const override { return {.replays = true}; }
     std::vector<Device> devices() const override { return {Device{}}; }
     std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {

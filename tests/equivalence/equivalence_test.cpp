@@ -8,8 +8,6 @@
 #include <sstream>
 
 #include "backends/all.h"
-#include "backends/openmp/openmp.h"
-#include "backends/reference/reference.h"
 #include "bench/fidelity/equivalence.h"
 #include "core/text/error.h"
 #include "core/render/expected.h"

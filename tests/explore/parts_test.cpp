@@ -11,7 +11,7 @@
 #include <set>
 
 #include "apps/explore/actions/actions.h"
-#include "backends/openmp/openmp.h"
+#include "backends/all.h"
 #include "apps/explore/model/path_editor.h"
 #include "apps/explore/model/export.h"
 #include "apps/explore/model/motion.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "backends/openmp/openmp.h"
+#include "backends/all.h"
 #include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/render/stereo.h"

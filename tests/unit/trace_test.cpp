@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "backends/openmp/openmp.h"
+#include "backends/all.h"
 #include "core/scene/fractal.h"
 #include "core/instruments/trace.h"
 #include "tests/scenes.h"

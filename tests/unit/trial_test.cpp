@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "backends/all.h"
-#include "backends/openmp/openmp.h"
 #include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/render/region.h"

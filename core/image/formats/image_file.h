@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads and writes pictures: BMP, PNG, PNM, JPEG and OpenEXR.
+//     const ImageFormat format = image_format("a.png").value();
+//     write_image("a.png", format, image);  // an image with layers_of(format)
 #pragma once
 
 #include <cstddef>
@@ -42,8 +44,7 @@ void write_image(const std::string& path, ImageFormat format, const Image& image
 // PNM: grey or colour, as text or bytes.
 // EXR: a single part with the channels R, G and B, which are linear light; if the layer `displayed` exists, the colours
 // come from it. If the file has a channel Z, the image has all layers (steps and iterations are 0 if missing); if not,
-// it has Layers::colours. Older files of this program have a channel `depth` instead of Z, and displayed values in R, G
-// and B.
+// it has Layers::colours.
 // Throws InputError, with the path and the cause, for a file that ends early. Also throws, before decoding, if the
 // header claims more pixels than the file or the memory can hold.
 Image read_image(const std::string& path);
