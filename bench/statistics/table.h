@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers and lines of tables for the console.
+//     Table table({"<backend", ">seconds"});
+//     table.add("openmp", digits(0.1234));
+//     print(table.text(console_columns));
 #pragma once
 
 #include <fmt/format.h>

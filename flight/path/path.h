@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The path of a flight: for each frame, the camera and the changes to the scene.
+//     const Path path = read_path("path.json");
+//     renderer.render(picture_of(path, path.frames[42], 1920, 1080), image);
 #pragma once
 
 #include <array>
