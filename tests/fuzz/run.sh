@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# run.sh BIN SOURCE CORPUS SECONDS FUZZER: runs the fuzzer for SECONDS, starting from the official parameter files, looks,
-# places, schedules, small pictures, a short path and a small result. Inputs that cause a failure are kept in CORPUS/FUZZER.
+# run.sh BIN SOURCE CORPUS FORMAT: runs the fuzzer of FORMAT for FUZZ_SECONDS (default 20), starting from the official
+# parameter files, looks, places, schedules, small pictures, a short path and a small result. Inputs that cause a failure
+# are kept in CORPUS/FORMAT.
 set -euo pipefail
 bin=$1
 source=$2
-corpus=$3/$5
-seconds=$4
+corpus=$3/$4
 seeds=$(mktemp -d)
 trap 'rm -rf "$seeds"' EXIT
 cp "$source"/params*.dat "$source"/tests/fuzz/result.json "$source"/scenes/*.look "$source"/scenes/*.csv "$seeds"/
@@ -24,11 +24,11 @@ cat >"$seeds/path.json" <<'END'
 END
 mkdir -p "$corpus"
 cd "$corpus"
-if "$bin/$5_fuzz" -max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2560 -print_final_stats=1 . "$seeds" \
+if "$bin/fuzz" "$4" -max_total_time="${FUZZ_SECONDS:-20}" -max_len=4096 -timeout=20 -rss_limit_mb=2560 -print_final_stats=1 . "$seeds" \
     >"$corpus.log" 2>&1; then
-    echo "$5: $(sed -n 's/stat::number_of_executed_units: *//p' "$corpus.log") inputs"
+    echo "$4: $(sed -n 's/stat::number_of_executed_units: *//p' "$corpus.log") inputs"
 else
-    echo "FAILED: $5, in $corpus:"
+    echo "FAILED: $4, in $corpus:"
     tail -n 60 "$corpus.log"
     exit 1
 fi
