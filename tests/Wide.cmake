@@ -1,8 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 # The wide tests. They link each library alone, build the project with other presets, bundle it, run GPU kernels on a
 # simulated GPU, or call NVIDIA's assembler.
-add_subdirectory(builds/libraries)
-add_subdirectory(backends)
+include(builds/libraries.cmake)
+mandelmarch_cases(builds builds/builds_test.sh WIDE subproject package blank excess_precision
+    ARGUMENTS ${source} ${PROJECT_BINARY_DIR})
+# Two programs whose list of backends has an additional line, which registers the skeleton.
+mandelmarch_registry(mandelmarch_backends_and_skeleton ${MANDELMARCH_REGISTERED} skeleton)
+add_executable(render_with_skeleton ${PROJECT_SOURCE_DIR}/apps/render.cpp ${PROJECT_BINARY_DIR}/apps/render_main.cpp)
+target_link_libraries(render_with_skeleton PRIVATE mandelmarch_apps mandelmarch_backends_and_skeleton mandelmarch_warnings)
+add_executable(bench_with_skeleton ${PROJECT_SOURCE_DIR}/bench/main.cpp ${PROJECT_BINARY_DIR}/bench/bench_main.cpp)
+target_link_libraries(bench_with_skeleton PRIVATE mandelmarch_bench mandelmarch_backends_and_skeleton mandelmarch_warnings)
+mandelmarch_cases(registration models/registration_test.sh WIDE lists pictures bench ARGUMENTS ${bin} ${source} ${Python3_EXECUTABLE})
 find_program(MANDELMARCH_PATCHELF patchelf)
 if(MANDELMARCH_PATCHELF OR DEFINED ENV{CI})
     mandelmarch_cases(packaging packaging/bundle_test.sh WIDE bundle ARGUMENTS ${PROJECT_BINARY_DIR} ${source})
@@ -43,14 +51,11 @@ if(TARGET mandelmarch_cuda AND TARGET mandelmarch_openacc AND TARGET mandelmarch
         ARGUMENTS ${bin} ${source} ${CMAKE_CURRENT_BINARY_DIR}/simulated_gpu/cuda ${Python3_EXECUTABLE})
     set_tests_properties(packaging.gpu_check PROPERTIES FIXTURES_REQUIRED cuda_gpu)
 endif()
-mandelmarch_script(install.consumer install/consumer.sh WIDE ARGUMENTS ${PROJECT_BINARY_DIR})
-set_tests_properties(install.consumer PROPERTIES WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/install)
-mandelmarch_script(subproject builds/subproject.sh WIDE ARGUMENTS ${source})
 
 # mandelmarch_sibling(PRESET COST TARGET...): adds a test that builds the targets with another preset. Builds with a
 # higher COST start first.
 function(mandelmarch_sibling preset cost)
-    mandelmarch_script(build.${preset} builds/build.sh WIDE ARGUMENTS ${preset} ${ARGN})
+    mandelmarch_test(build.${preset} WIDE COMMAND ${source}/tools/build ${preset} ${ARGN})
     set_tests_properties(build.${preset} PROPERTIES FIXTURES_SETUP ${preset} RESOURCE_LOCK build TIMEOUT 2400 COST ${cost}
         WORKING_DIRECTORY ${source})
 endfunction()
@@ -62,13 +67,13 @@ if(TARGET bench_micro)
     set(micro bench_micro)
 endif()
 mandelmarch_sibling(clang 1 render)
-mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
+mandelmarch_sibling(asan 4 unit_test same_bits_test fuzz render imgdiff mandelbulb mandelbox)
 mandelmarch_sibling(tsan 2 same_bits_test data_race)
 mandelmarch_sibling(fractal 3 bench ${micro} render flythrough imgdiff every_fractal_test equivalence_test)
 set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
 mandelmarch_script(same_bits.compilers builds/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
 set_tests_properties(same_bits.compilers PROPERTIES FIXTURES_REQUIRED clang WORKING_DIRECTORY ${source})
-mandelmarch_cases(omptarget.clang omptarget/clang_test.sh WIDE bits plugin
+mandelmarch_cases(omptarget.clang models/omptarget_test.sh WIDE bits plugin
     ARGUMENTS ${bin} ${source} ${source}/build/clang/bin)
 set_tests_properties(omptarget.clang.bits omptarget.clang.plugin PROPERTIES FIXTURES_REQUIRED clang)
 # Other processors, emulated. CI must have the tools.

@@ -12,6 +12,7 @@
 #include "backends/reference/reference.h"
 #include "bench/fidelity/equivalence.h"
 #include "core/text/error.h"
+#include "core/image/compare.h"
 #include "core/render/expected.h"
 #include "core/scene/fractal.h"
 #include "tests/scenes.h"
@@ -22,12 +23,32 @@ std::unique_ptr<Backend> make_skeleton_backend();  // backends/skeleton
 
 namespace {
 
+// Returns a scene whose eye is inside the solid. Every DE evaluation takes all iterations. Therefore even a pass of one
+// step has more loop iterations than lavapipe allows.
+Scene long_estimates()
+{
+    Scene scene = official_scene("bulb", 24, 18);
+    scene.eye = {0.001, 0.002, 0.001};
+    scene.shape[1] = 1e6;
+    scene.shape[2] = 1;
+    scene.iterations = 10'000;
+    scene.escape = 0;
+    return scene;
+}
+
+// The sizes include single pixels, rows and columns, sizes that are not multiples of a block, a strip or a work group,
+// and pictures of several bands.
 std::vector<NamedScene> exact_scenes()
 {
     std::vector<NamedScene> scenes = odd_scenes();
     for (NamedScene& scene : random_scenes(4, 20260)) scenes.push_back(std::move(scene));
     for (const Fractal& fractal : fractals()) {
-        scenes.push_back({fmt::format("{}, official", fractal.short_name), official_scene(fractal, 161, 107)});
+        for (const auto& [width, height] :
+             {std::pair(161, 107), {1, 1}, {3, 2}, {1, 201}, {1030, 1}, {301, 37}, {20000, 2}, {400, 390}}) {
+            scenes.push_back({fmt::format("{}, {} x {}", fractal.short_name, width, height),
+                              official_scene(fractal, width, height)});
+        }
+        if (fractal.short_name == "bulb") scenes.push_back({"ten thousand iterations", long_estimates()});
     }
     return scenes;
 }
@@ -131,6 +152,40 @@ TEST(Equivalence, ConesAndNeighboursSaveSteps)
                 const double share = static_cast<double>(with.*count) / static_cast<double>(without.*count);
                 EXPECT_TRUE(saves ? share > 0.3 && share < 0.85 : share == 1)
                     << backend->name() << " " << fractal.name << ": " << share;
+            }
+        }
+    }
+}
+
+// OpenCL's vectors give the bits of the scalar kernel and do the same work. In fast mode, in which they begin rays at
+// cones and neighbours, pictures are the scalar kernel's up to 1 % of the pixels and of the steps.
+TEST(Equivalence, VectorsOfEveryWidthDrawTheScalarPicture)
+{
+    const Registry registry = all_backends();
+    const auto drawn = [](const Backend& backend, const RendererOptions& options, const Scene& scene) {
+        Image image(scene.width, scene.height, Image::Layers::all);
+        const Work work = backend.create(options)->render(scene, image).work;
+        return std::pair(std::move(image), work);
+    };
+    for (const auto& backend : registry.backends()) {
+        const BackendInfo info = backend->info();
+        if (!info.simd_width || info.role == Role::host || backend->unavailable()) continue;
+        for (const Precision precision : {Precision::f64, Precision::f32}) {
+            for (const int simd_width : {1, 2, 4, 32}) {
+                for (const Mode mode : {Mode::exact, Mode::fast}) {
+                    if (precision == Precision::f64 && simd_width == 32) continue;  // no such vector
+                    Scene scene = official_scene(fractals().front(), 301, 93);
+                    scene.detail = -2;  // a coarse tolerance, so that small pictures have neighbours
+                    const auto [image, work] =
+                        drawn(*backend, {.precision = precision, .mode = mode, .simd_width = simd_width}, scene);
+                    const auto [expected, scalar] = drawn(
+                        registry.with(Role::host), {.precision = precision, .mode = mode, .simd_width = 1}, scene);
+                    const Comparison difference = compare(expected, image);
+                    const double steps = static_cast<double>(scalar.steps);
+                    EXPECT_TRUE(mode == Mode::fast || (difference.same() && work.steps == scalar.steps)) << simd_width;
+                    EXPECT_LE(100 * difference.visibly_differing, difference.pixels) << simd_width;
+                    EXPECT_NEAR(static_cast<double>(work.steps), steps, 0.01 * steps) << simd_width;
+                }
             }
         }
     }

@@ -84,7 +84,7 @@ TEST_P(EveryFractal, GradientsAreThoseOfTheEstimate)
 }
 
 // Negative control: the comparison of pictures detects slightly different light.
-TEST_P(EveryFractal, OtherLightIsFoundOut)
+TEST_P(EveryFractal, OtherLightIsDetected)
 {
     const Scene scene = official_scene(fractal(), 96, 72);
     Scene other = scene;
@@ -164,7 +164,7 @@ std::pair<double, std::string> largest_estimate(Scene scene)
 
 // No ray hits the surface within the sphere that flights trust to be free (Trust::safety). Negative control: it would
 // if the estimates were four times as large; those of the Mandelbulb and the Mandelbox, already 1.3 times.
-TEST_P(EveryFractal, EstimatesAreAsSafeAsTheDescriptorSays)
+TEST_P(EveryFractal, SafetyKeepsEstimatesBelowTheDistance)
 {
     double worst = 0;
     for (Scene scene : scenes()) {

@@ -268,7 +268,7 @@ std::string masked_bmp(std::uint32_t red, std::uint32_t green, std::uint32_t blu
     return "BM" + little_endian(start + 8, 4) + little_endian(0, 4) + little_endian(start, 4) + header + pixels;
 }
 
-TEST(BmpMasks, AreHeededInAnyOrder)
+TEST(BmpMasks, GiveTheChannelsInAnyOrder)
 {
     const std::pmr::vector<std::uint8_t> wanted{1, 2, 3, 4, 5, 6};
     const std::array<std::uint32_t, 4> masks{0xff, 0xff00, 0xff0000, 0xff000000};

@@ -150,7 +150,7 @@ TEST(Loops, BandsAreCutByTime)
 constexpr Starts with_starts{.cones = {{8, 0}, {2, 8}}, .cone_passes = 2, .lattices = {{{0, 2}, {2, 1}}, 2}};
 
 // An executor that records the passes of each band as text, such as "cones 8 in 0".
-class Listing : public Executor {
+class Recording : public Executor {
 public:
     void run(Entry entry, const Band& band, int) override
     {
@@ -166,14 +166,14 @@ public:
 
 TEST(Loops, ConesComeBeforeTheLatticesOfEachBand)
 {
-    Listing listing;
+    Recording recording;
     Image image(8, 32, Image::Layers::bytes);
     run_schedule(official_scene("bulb", 8, 32), Mode::fast,
-                 {.pixels_per_band = 8 * 16, .pixels_to_fill = 8 * 16, .starts = with_starts}, listing, image, {});
+                 {.pixels_per_band = 8 * 16, .pixels_to_fill = 8 * 16, .starts = with_starts}, recording, image, {});
     const std::vector<std::string> band{"cones 8 in 0", "cones 2 in 8", "pixels 2 of 0", "pixels 1 of 2", "16 rows"};
     std::vector<std::string> both = band;
     both.insert(both.end(), band.begin(), band.end());
-    EXPECT_EQ(listing.passes, both);
+    EXPECT_EQ(recording.passes, both);
 }
 
 TEST(Loops, InnerConesBeginAtTheEndsOfTheOuterOnes)
@@ -193,13 +193,13 @@ TEST(Loops, InnerConesBeginAtTheEndsOfTheOuterOnes)
 TEST(Loops, TimeDoesNotCutBandsWithConesOrNeighbours)
 {
     const auto bands_of = [](const Starts& starts) {
-        Listing listing;
+        Recording recording;
         Image image(1024, 200, Image::Layers::bytes);
         run_schedule(
             official_scene("bulb", 1024, 200), Mode::fast,
             {.pixels_per_band = 1024 * 128, .pixels_to_fill = 1024 * 128, .starts = starts, .seconds_per_band = 1e-30},
-            listing, image, {});
-        return std::ranges::count_if(listing.passes, [](const std::string& pass) { return pass.ends_with("rows"); });
+            recording, image, {});
+        return std::ranges::count_if(recording.passes, [](const std::string& pass) { return pass.ends_with("rows"); });
     };
     EXPECT_EQ(bands_of(with_starts), 2);
     EXPECT_EQ(bands_of({}), 185);
