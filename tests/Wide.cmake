@@ -17,34 +17,28 @@ if(MANDELMARCH_PATCHELF OR DEFINED ENV{CI})
     set_tests_properties(packaging.bundle PROPERTIES RESOURCE_LOCK build)
 endif()
 # Adds tests that run kernels on a simulated GPU. The test `driver` builds the GPU's driver for the other tests.
-# The script of cuda also tests hip.
-set(tests_of_openacc "")
-set(tests_of_cuda block_sizes)
+set(simulated bits clock bands little_memory devices failures)
 foreach(backend openacc cuda hip)
     if(TARGET mandelmarch_${backend})
-        string(REPLACE hip cuda script ${backend})
-        set(others bits clock bands little_memory calls devices failures ${tests_of_${script}})
         set(gpu ${CMAKE_CURRENT_BINARY_DIR}/simulated_gpu/${backend})
-        mandelmarch_cases(${backend}.simulated ${script}/simulated_test.sh WIDE driver ${others}
+        mandelmarch_cases(${backend}.simulated gpu/simulated_test.sh WIDE driver ${simulated}
             ARGUMENTS ${bin} ${source} ${gpu} ${CMAKE_CXX_COMPILER} ${Python3_EXECUTABLE})
         set_tests_properties(${backend}.simulated.driver PROPERTIES FIXTURES_SETUP ${backend}_gpu)
-        list(TRANSFORM others PREPEND ${backend}.simulated.)
-        set_tests_properties(${others} PROPERTIES FIXTURES_REQUIRED ${backend}_gpu)
+        list(TRANSFORM simulated PREPEND ${backend}.simulated. OUTPUT_VARIABLE tests)
+        set_tests_properties(${tests} PROPERTIES FIXTURES_REQUIRED ${backend}_gpu)
     endif()
+    set(simulated bits clock bands little_memory devices failures block_sizes)  # of cuda and hip
 endforeach()
 if(TARGET mandelmarch_openacc)
     foreach(check text assemble)
-        mandelmarch_script(openacc.ptx.${check} openacc/ptx_test.py WIDE
+        mandelmarch_script(openacc.ptx.${check} gpu/ptx_test.py WIDE
             ARGUMENTS ${check} $<TARGET_FILE:mandelbulb> ${MANDELMARCH_FRACTALS})
         set_tests_properties(openacc.ptx.${check} PROPERTIES WORKING_DIRECTORY ${source})
     endforeach()
 endif()
 if(TARGET mandelmarch_hip)
     get_target_property(command mandelmarch_hip MANDELMARCH_COMMAND)
-    foreach(check text objects)
-        mandelmarch_script(hip.${check} cuda/hip_test.py WIDE ARGUMENTS ${check} $<TARGET_FILE:render>
-            ${PROJECT_BINARY_DIR}/backends/hip ${command} -I${source})
-    endforeach()
+    mandelmarch_script(hip.text gpu/hip_test.py WIDE ARGUMENTS ${PROJECT_BINARY_DIR}/backends/hip ${command} -I${source})
 endif()
 if(TARGET mandelmarch_cuda AND TARGET mandelmarch_openacc AND TARGET mandelmarch_opencl AND TARGET mandelmarch_vulkan)
     mandelmarch_cases(packaging packaging/gpu_check_test.sh WIDE gpu_check

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Case run by tests/cases.sh with BIN SOURCE GPU PYTHON. packaging/gpu_check runs with small pictures on PoCL, on
-# lavapipe and on a simulated GPU (tests/openacc), whose driver is in the folder GPU. A broken backend, a step that
+# lavapipe and on a simulated GPU (tests/gpu), whose driver is in the folder GPU. A broken backend, a step that
 # hangs and wrong bits must not stop other steps. Results are packed after each step, and tools/gpu_results.py makes a
 # page from them.
 bin=$1

@@ -12,11 +12,9 @@
 //   SIMULATED_REGISTERS   registers per thread of each kernel (default 100)
 //   SIMULATED_FAULT       launch, lost or timeout: the first kernel fails in this way; link: gcc's kernels do not link;
 //                         version: the image does not suit the driver or the GPU
-//   SIMULATED_CALLS       file to which the name of each called function is appended
 #define _GNU_SOURCE
 #include "kernels.h"
 
-#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -60,22 +58,9 @@ static int has_fault(const char* name)
     return fault && strcmp(fault, name) == 0;
 }
 
-// The compiler inserts calls of these two functions at the begin and the end of all others (-finstrument-functions).
-// They are hidden, because the C library has functions with the same names.
-#define HOOK __attribute__((no_instrument_function, visibility("hidden")))
-static __thread int depth;  // 1 in a function that was called from outside
-HOOK void __cyg_profile_func_enter(void* function, void* caller)
-{
-    Dl_info found;
-    const char* name = getenv("SIMULATED_CALLS");
-    (void)caller;
-    if (depth++ > 0 || !name || !dladdr(function, &found) || !found.dli_sname) return;
-    FILE* file = fopen(name, "a");
-    if (!file) return;
-    fprintf(file, "%s\n", found.dli_sname);
-    fclose(file);
-}
-HOOK void __cyg_profile_func_exit(void* function, void* caller) { (void)function, (void)caller, --depth; }
+// Also gives a function the name that it has without its version.
+#define TEXT_OF(word) #word
+#define ALSO(name, function) int name(void) __attribute__((alias(TEXT_OF(function))));
 
 int cuInit(unsigned flags) { return flags == 0 ? SUCCESS : NOT_SUPPORTED; }
 int cuDriverGetVersion(int* version) { return *version = VERSION, SUCCESS; }
@@ -87,7 +72,7 @@ int cuDeviceGetName(char* name, int size, int device)
     return SUCCESS;
 }
 int cuDeviceTotalMem_v2(size_t* bytes, int device) { return *bytes = 12ull << 30, device < 0 ? NOT_FOUND : SUCCESS; }
-int cuDeviceTotalMem(size_t* bytes, int device) { return cuDeviceTotalMem_v2(bytes, device); }
+ALSO(cuDeviceTotalMem, cuDeviceTotalMem_v2)
 // Attribute numbers as in cuda.h.
 int cuDeviceGetAttribute(int* value, int attribute, int device)
 {
@@ -125,7 +110,7 @@ int cuCtxCreate_v2(void** context, unsigned flags, int device)
     *context = (void*)(intptr_t)(device + 1);
     return current = device, SUCCESS;
 }
-int cuCtxCreate(void** context, unsigned flags, int device) { return cuCtxCreate_v2(context, flags, device); }
+ALSO(cuCtxCreate, cuCtxCreate_v2)
 int cuDevicePrimaryCtxRetain(void** context, int device)
 {
     *context = (void*)(intptr_t)(device + 1);
@@ -133,22 +118,22 @@ int cuDevicePrimaryCtxRetain(void** context, int device)
 }
 int cuCtxSetCurrent(void* context) { return current = (int)(intptr_t)context - 1, SUCCESS; }
 int cuCtxDestroy_v2(void* context) { return context ? SUCCESS : NOT_FOUND; }
-int cuCtxDestroy(void* context) { return cuCtxDestroy_v2(context); }
+ALSO(cuCtxDestroy, cuCtxDestroy_v2)
 int cuCtxPushCurrent_v2(void* context) { return current = (int)(intptr_t)context - 1, SUCCESS; }
-int cuCtxPushCurrent(void* context) { return cuCtxPushCurrent_v2(context); }
+ALSO(cuCtxPushCurrent, cuCtxPushCurrent_v2)
 int cuCtxPopCurrent_v2(void** context) { return *context = (void*)(intptr_t)(current + 1), SUCCESS; }
-int cuCtxPopCurrent(void** context) { return cuCtxPopCurrent_v2(context); }
-int cuCtxGetCurrent(void** context) { return cuCtxPopCurrent_v2(context); }
+ALSO(cuCtxPopCurrent, cuCtxPopCurrent_v2)
+ALSO(cuCtxGetCurrent, cuCtxPopCurrent_v2)
 int cuCtxGetDevice(int* device) { return *device = current, SUCCESS; }
 int cuCtxSynchronize(void)
 {
-    const int told = pending;
-    return pending = SUCCESS, told;
+    const int error = pending;
+    return pending = SUCCESS, error;
 }
 
 int cuStreamCreate(void** stream, unsigned flags) { return *stream = stream, flags > 1 ? NOT_SUPPORTED : SUCCESS; }
 int cuStreamDestroy_v2(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
-int cuStreamDestroy(void* stream) { return cuStreamDestroy_v2(stream); }
+ALSO(cuStreamDestroy, cuStreamDestroy_v2)
 int cuStreamSynchronize(void* stream) { return (void)stream, cuCtxSynchronize(); }
 int cuStreamQuery(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
 int cuStreamWaitEvent(void) { return NOT_SUPPORTED; }
@@ -170,7 +155,7 @@ int cuEventCreate(int** event, unsigned flags)
     return **event = -1, flags == 0 ? SUCCESS : NOT_SUPPORTED;
 }
 int cuEventDestroy_v2(int* event) { return free(event), SUCCESS; }
-int cuEventDestroy(int* event) { return cuEventDestroy_v2(event); }
+ALSO(cuEventDestroy, cuEventDestroy_v2)
 int cuEventRecord(int* event, void* stream) { return (void)stream, *event = seconds, SUCCESS; }
 int cuEventSynchronize(int* event) { return *event >= 0 ? SUCCESS : NOT_FOUND; }
 int cuEventQuery(int* event) { return cuEventSynchronize(event); }
@@ -184,12 +169,9 @@ int cuLinkCreate_v2(unsigned count, int* options, void** values, void** state)
     (void)count, (void)options, (void)values;
     return *state = state, SUCCESS;
 }
-int cuLinkCreate(unsigned count, int* options, void** values, void** state)
-{
-    return cuLinkCreate_v2(count, options, values, state);
-}
+ALSO(cuLinkCreate, cuLinkCreate_v2)
 int cuLinkAddData_v2(void) { return SUCCESS; }
-int cuLinkAddData(void) { return SUCCESS; }
+ALSO(cuLinkAddData, cuLinkAddData_v2)
 int cuLinkComplete(void* state, void** binary, size_t* size)
 {
     return *binary = state, *size = 1, has_fault("link") ? OUT_OF_RESOURCES : SUCCESS;
@@ -206,7 +188,7 @@ int cuModuleLoadData(void** module, const void* image)
 }
 int cuModuleUnload(void* module) { return (void)module, SUCCESS; }
 int cuModuleGetGlobal_v2(void) { return NOT_FOUND; }
-int cuModuleGetGlobal(void) { return NOT_FOUND; }
+ALSO(cuModuleGetGlobal, cuModuleGetGlobal_v2)
 int cuModuleGetFunction(void** function, void* module, const char* name)
 {
     (void)module;
@@ -231,7 +213,7 @@ int cuMemGetInfo_v2(size_t* free_bytes, size_t* total)
     *total = number("SIMULATED_MEMORY", 1ull << 30);
     return *free_bytes = *total - taken, SUCCESS;
 }
-int cuMemGetInfo(size_t* free_bytes, size_t* total) { return cuMemGetInfo_v2(free_bytes, total); }
+ALSO(cuMemGetInfo, cuMemGetInfo_v2)
 int cuMemAlloc_v2(uint64_t* address, size_t bytes)
 {
     if (taken + bytes > number("SIMULATED_MEMORY", 1ull << 30)) return OUT_OF_MEMORY;
@@ -242,7 +224,7 @@ int cuMemAlloc_v2(uint64_t* address, size_t bytes)
     blocks[block_count++].bytes = bytes;
     return SUCCESS;
 }
-int cuMemAlloc(uint64_t* address, size_t bytes) { return cuMemAlloc_v2(address, bytes); }
+ALSO(cuMemAlloc, cuMemAlloc_v2)
 static int block_of(uint64_t address)
 {
     for (int i = 0; i < block_count; ++i) {
@@ -259,7 +241,7 @@ int cuMemFree_v2(uint64_t address)
     free((void*)address);
     return SUCCESS;
 }
-int cuMemFree(uint64_t address) { return cuMemFree_v2(address); }
+ALSO(cuMemFree, cuMemFree_v2)
 int cuMemGetAddressRange_v2(uint64_t* begin, size_t* bytes, uint64_t address)
 {
     const int at = block_of(address);
@@ -269,16 +251,13 @@ int cuMemGetAddressRange_v2(uint64_t* begin, size_t* bytes, uint64_t address)
     if (bytes) *bytes = blocks[at].bytes;
     return SUCCESS;
 }
-int cuMemGetAddressRange(uint64_t* begin, size_t* bytes, uint64_t address)
-{
-    return cuMemGetAddressRange_v2(begin, bytes, address);
-}
+ALSO(cuMemGetAddressRange, cuMemGetAddressRange_v2)
 int cuMemAllocHost_v2(void** address, size_t bytes) { return *address = malloc(bytes), SUCCESS; }
-int cuMemAllocHost(void** address, size_t bytes) { return cuMemAllocHost_v2(address, bytes); }
-int cuMemHostAlloc(void** address, size_t bytes) { return cuMemAllocHost_v2(address, bytes); }
+ALSO(cuMemAllocHost, cuMemAllocHost_v2)
+ALSO(cuMemHostAlloc, cuMemAllocHost_v2)
 int cuMemFreeHost(void* address) { return free(address), SUCCESS; }
 int cuMemHostGetDevicePointer_v2(void) { return NOT_SUPPORTED; }
-int cuMemHostGetDevicePointer(void) { return NOT_SUPPORTED; }
+ALSO(cuMemHostGetDevicePointer, cuMemHostGetDevicePointer_v2)
 int cuMemcpy2D_v2(void) { return NOT_SUPPORTED; }
 int cuMemcpy2DUnaligned_v2(void) { return NOT_SUPPORTED; }
 int cuMemcpy3D_v2(void) { return NOT_SUPPORTED; }

@@ -5,11 +5,17 @@ floating-point policy. assemble: ptxas compiles the PTX without spilling registe
 fail. Exit code 77: the pinned ptxas is missing, and CI is not set."""
 import os
 import re
+import subprocess
 import sys
+import tempfile
 
 sys.dont_write_bytecode = True
-import device_code  # noqa: E402
+import ptx_to_c  # noqa: E402
+from ptx_to_c import KERNEL, PEAK, kernels  # noqa: E402
 
+# For each GPU: its architecture, and the end of the path in build/venv of its assembler, which tools/gpu_packages.txt
+# installs. ptxas 11 is the last one that supports sm_35; ptxas 13 matches NVIDIA's driver 580.
+GPUS = {"K40": ("sm_35", "cuda_nvcc/bin/ptxas"), "H100": ("sm_90", "cu13/bin/ptxas")}
 # Allowed registers per thread, by GPU, kind of kernel and precision. With this many registers, a multiprocessor of the
 # K40 can hold 9 (march, float), 5 (march, double), 6 (cones and shade, float), 3 (cones and shade, double) or 16 (bytes)
 # blocks of 128 threads at once. A multiprocessor of the H100 can hold 7, 5, 5, 3 or 16.
@@ -29,6 +35,38 @@ EXACT_BY_NATURE = {"mov", "ld", "st", "setp", "selp", "neg", "abs", "cvt"}
 # Operations that only the kernels of fast mode in float have, and those that these kernels must not have.
 QUICK = {"sqrt.approx.ftz.f32", "rcp.approx.ftz.f32", "max.f32", "min.f32"}
 SLOW = {"sqrt.rn.f32", "rcp.rn.f32"}
+
+
+class Unavailable(Exception):
+    pass
+
+
+def pinned(assembler):
+    """Returns the path of an assembler of GPUS. Raises Unavailable if it is not installed."""
+    for folder, _, files in os.walk(os.path.join("build", "venv")):
+        for name in files:
+            if os.path.join(folder, name).endswith(assembler):
+                return os.path.join(folder, name)
+    raise Unavailable(f"build/venv has no {assembler}: tools/python_packages gpu_packages")
+
+
+def resources(ptx, gpu):
+    """Assembles a PTX module for a GPU, as a linkable object (ptxas -c), as the driver does with the code that gcc's
+    run-time library passes to cuLinkAddData. Returns, by kernel, the registers, the bytes of stack, and the bytes of
+    spill stores and loads together."""
+    architecture, assembler = GPUS[gpu]
+    ptxas = pinned(assembler)
+    with tempfile.TemporaryDirectory() as folder:
+        source = os.path.join(folder, "kernels.ptx")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write(ptx)
+        run = subprocess.run([ptxas, "-v", "-c", f"-arch={architecture}", source, "-o", os.path.join(folder, "cubin")],
+                             capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        raise RuntimeError(f"{ptxas} -arch={architecture}: {run.stdout}{run.stderr}")
+    found = re.findall(r"Compiling entry function '(\S+)\$_omp_fn\$0'.*?(\d+) bytes stack frame, (\d+) bytes spill stores, "
+                       r"(\d+) bytes spill loads.*?Used (\d+) registers", run.stdout + run.stderr, re.S)
+    return {name: (int(registers), int(stack), int(stores) + int(loads)) for name, stack, stores, loads, registers in found}
 
 
 def operation_faults(name, body, precision, mode):
@@ -57,15 +95,15 @@ def faults(ptx, fractals):
         found.append("a function that is called instead of inlined")
     wanted = {(kind, fractal, precision, mode) for kind in ("cones", "march", "shade", "bytes") for fractal in fractals
               for precision in ("float", "double") for mode in ("exact", "fast") if (kind, mode) != ("cones", "exact")}
-    for entry in device_code.ENTRY.finditer(ptx):
+    for entry in ptx_to_c.ENTRY.finditer(ptx):
         if ".maxntid 128, 1, 1" not in entry[0]:
             found.append(f"{entry[1]}: does not say how many threads its blocks have")
         if re.match(r"shade_|march_\w+_double_fast", entry[1]) and ".minnctapersm" not in entry[0]:
             found.append(f"{entry[1]}: does not say how many blocks a multiprocessor shall hold")
     fused = 0
-    for name, body in device_code.kernels(ptx):
-        match = device_code.KERNEL.match(name)
-        if peak := device_code.PEAK.match(name):
+    for name, body in kernels(ptx):
+        match = KERNEL.match(name)
+        if peak := PEAK.match(name):
             found += operation_faults(name, body, peak[1], "fast")
             continue
         if not match:
@@ -89,7 +127,7 @@ def faults(ptx, fractals):
 
 def changed(ptx, kernel, old, new):
     """Returns the PTX with the first match of the pattern `old` in one kernel replaced by `new`."""
-    body = next(body for name, body in device_code.kernels(ptx) if name.startswith(kernel))
+    body = next(body for name, body in kernels(ptx) if name.startswith(kernel))
     mutant = re.sub(old, new, body, count=1)
     assert mutant != body, f"{kernel} holds no {old}"
     return ptx.replace(body, mutant)
@@ -130,31 +168,31 @@ def spills(results):
 
 def check_assembled(ptx, fractals):
     found = []
-    for gpu in device_code.GPUS:
-        results = device_code.resources(ptx, gpu)
+    for gpu in GPUS:
+        results = resources(ptx, gpu)
         found += [f"{gpu}: {fault}" for fault in spills(results)]
         if len(results) != 14 * len(fractals) + 2:
             found.append(f"{gpu}: {len(results)} kernels assembled, the two of the peak included")
         for name, (registers, _, _) in results.items():
-            if device_code.PEAK.match(name + "$_omp_fn$0"):
+            if PEAK.match(name + "$_omp_fn$0"):
                 continue
-            kind, _, precision, _ = re.match(device_code.KERNEL, name + "$_omp_fn$0").groups()
+            kind, _, precision, _ = re.match(KERNEL, name + "$_omp_fn$0").groups()
             most = MOST_REGISTERS[gpu][kind, precision]
             if registers > most:
                 found.append(f"{gpu}: {name}: {registers} registers, {most} expected at most")
-    if not spills(device_code.resources(re.sub(r"\.minnctapersm \d+", ".minnctapersm 16", ptx), "K40")):
+    if not spills(resources(re.sub(r"\.minnctapersm \d+", ".minnctapersm 16", ptx), "K40")):
         found.append("the negative control with 32 registers spills nothing")
     return found
 
 
 def main():
     check = {"text": check_text, "assemble": check_assembled}[sys.argv[1]]
-    texts = device_code.extract(sys.argv[2])
+    texts = ptx_to_c.extract(sys.argv[2])
     if len(texts) != 1:
         sys.exit(f"{len(texts)} PTX texts in {sys.argv[2]}, expected 1")
     try:
         found = check(texts[0], sys.argv[3:])
-    except device_code.Unavailable as error:
+    except Unavailable as error:
         print(error)
         sys.exit(1 if "CI" in os.environ else 77)
     for fault in found:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words for the host, in place of a GPU's (backends/cuda/words.h). A simulated GPU runs one thread after the other
-// (tests/openacc/simulated_cuda.c).
+// (simulated_cuda.c).
 #pragma once
 
 #include <cmath>
