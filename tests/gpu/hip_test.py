@@ -12,7 +12,7 @@ import sys
 
 GPUS = ["gfx90a", "gfx942"]
 IR = ["-S", "-emit-llvm"]
-CONTRACTION = {"exact": "off", "fast": "fast"}  # as in cmake/FloatingPoint.cmake
+CONTRACTION = {"exact": "off", "fast": "fast"}  # as in cmake/Flags.cmake
 
 
 class Variant:
