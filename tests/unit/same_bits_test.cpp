@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact mode gives the same bits for any number of threads, any pack width and any instruction set. The negative
-// control is the test OneBitOfColourOrDepthIsFound.
+// Exact mode gives the same bits for any number of threads and any instruction set; tests/equivalence tests the pack
+// widths. The negative control is the test OneBitOfColourOrDepthIsFound.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -93,24 +93,6 @@ TEST_P(SameBits, BytesAloneAreThoseOfAllLayers)
             }
         }
     }
-}
-
-TEST_P(SameBits, PackWidthDoesNotChangeABit)
-{
-    int widths = 0;
-    for (const int simd_width : {2, 4, 8, 16, 32, 64}) {
-        for (const auto& [name, scene] : scenes()) {
-            Image packed;
-            try {
-                packed = draw(scene, 2, simd_width);
-            } catch (const InputError&) {
-                break;  // not supported by this machine
-            }
-            ++widths;
-            expect_same_bits(draw(scene, 2, 1), packed, fmt::format("{}, SIMD width {}", name, simd_width));
-        }
-    }
-    EXPECT_GT(widths, 0) << "no SIMD width could be tried";
 }
 
 // The packs of every instruction set that this machine has must give the same bits.
