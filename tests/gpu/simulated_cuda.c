@@ -58,10 +58,6 @@ static int has_fault(const char* name)
     return fault && strcmp(fault, name) == 0;
 }
 
-// Also gives a function the name that it has without its version.
-#define TEXT_OF(word) #word
-#define ALSO(name, function) int name(void) __attribute__((alias(TEXT_OF(function))));
-
 int cuInit(unsigned flags) { return flags == 0 ? SUCCESS : NOT_SUPPORTED; }
 int cuDriverGetVersion(int* version) { return *version = VERSION, SUCCESS; }
 int cuDeviceGetCount(int* count) { return *count = (int)number("SIMULATED_GPUS", 1), SUCCESS; }
@@ -72,7 +68,6 @@ int cuDeviceGetName(char* name, int size, int device)
     return SUCCESS;
 }
 int cuDeviceTotalMem_v2(size_t* bytes, int device) { return *bytes = 12ull << 30, device < 0 ? NOT_FOUND : SUCCESS; }
-ALSO(cuDeviceTotalMem, cuDeviceTotalMem_v2)
 // Attribute numbers as in cuda.h.
 int cuDeviceGetAttribute(int* value, int attribute, int device)
 {
@@ -110,7 +105,6 @@ int cuCtxCreate_v2(void** context, unsigned flags, int device)
     *context = (void*)(intptr_t)(device + 1);
     return current = device, SUCCESS;
 }
-ALSO(cuCtxCreate, cuCtxCreate_v2)
 int cuDevicePrimaryCtxRetain(void** context, int device)
 {
     *context = (void*)(intptr_t)(device + 1);
@@ -118,12 +112,9 @@ int cuDevicePrimaryCtxRetain(void** context, int device)
 }
 int cuCtxSetCurrent(void* context) { return current = (int)(intptr_t)context - 1, SUCCESS; }
 int cuCtxDestroy_v2(void* context) { return context ? SUCCESS : NOT_FOUND; }
-ALSO(cuCtxDestroy, cuCtxDestroy_v2)
 int cuCtxPushCurrent_v2(void* context) { return current = (int)(intptr_t)context - 1, SUCCESS; }
-ALSO(cuCtxPushCurrent, cuCtxPushCurrent_v2)
 int cuCtxPopCurrent_v2(void** context) { return *context = (void*)(intptr_t)(current + 1), SUCCESS; }
-ALSO(cuCtxPopCurrent, cuCtxPopCurrent_v2)
-ALSO(cuCtxGetCurrent, cuCtxPopCurrent_v2)
+int cuCtxGetCurrent(void** context) { return cuCtxPopCurrent_v2(context); }
 int cuCtxGetDevice(int* device) { return *device = current, SUCCESS; }
 int cuCtxSynchronize(void)
 {
@@ -133,7 +124,6 @@ int cuCtxSynchronize(void)
 
 int cuStreamCreate(void** stream, unsigned flags) { return *stream = stream, flags > 1 ? NOT_SUPPORTED : SUCCESS; }
 int cuStreamDestroy_v2(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
-ALSO(cuStreamDestroy, cuStreamDestroy_v2)
 int cuStreamSynchronize(void* stream) { return (void)stream, cuCtxSynchronize(); }
 int cuStreamQuery(void* stream) { return stream ? SUCCESS : NOT_FOUND; }
 int cuStreamWaitEvent(void) { return NOT_SUPPORTED; }
@@ -155,7 +145,6 @@ int cuEventCreate(int** event, unsigned flags)
     return **event = -1, flags == 0 ? SUCCESS : NOT_SUPPORTED;
 }
 int cuEventDestroy_v2(int* event) { return free(event), SUCCESS; }
-ALSO(cuEventDestroy, cuEventDestroy_v2)
 int cuEventRecord(int* event, void* stream) { return (void)stream, *event = seconds, SUCCESS; }
 int cuEventSynchronize(int* event) { return *event >= 0 ? SUCCESS : NOT_FOUND; }
 int cuEventQuery(int* event) { return cuEventSynchronize(event); }
@@ -169,9 +158,12 @@ int cuLinkCreate_v2(unsigned count, int* options, void** values, void** state)
     (void)count, (void)options, (void)values;
     return *state = state, SUCCESS;
 }
-ALSO(cuLinkCreate, cuLinkCreate_v2)
+int cuLinkCreate(unsigned count, int* options, void** values, void** state)
+{
+    return cuLinkCreate_v2(count, options, values, state);
+}
 int cuLinkAddData_v2(void) { return SUCCESS; }
-ALSO(cuLinkAddData, cuLinkAddData_v2)
+int cuLinkAddData(void) { return SUCCESS; }
 int cuLinkComplete(void* state, void** binary, size_t* size)
 {
     return *binary = state, *size = 1, has_fault("link") ? OUT_OF_RESOURCES : SUCCESS;
@@ -188,7 +180,6 @@ int cuModuleLoadData(void** module, const void* image)
 }
 int cuModuleUnload(void* module) { return (void)module, SUCCESS; }
 int cuModuleGetGlobal_v2(void) { return NOT_FOUND; }
-ALSO(cuModuleGetGlobal, cuModuleGetGlobal_v2)
 int cuModuleGetFunction(void** function, void* module, const char* name)
 {
     (void)module;
@@ -213,7 +204,6 @@ int cuMemGetInfo_v2(size_t* free_bytes, size_t* total)
     *total = number("SIMULATED_MEMORY", 1ull << 30);
     return *free_bytes = *total - taken, SUCCESS;
 }
-ALSO(cuMemGetInfo, cuMemGetInfo_v2)
 int cuMemAlloc_v2(uint64_t* address, size_t bytes)
 {
     if (taken + bytes > number("SIMULATED_MEMORY", 1ull << 30)) return OUT_OF_MEMORY;
@@ -224,7 +214,6 @@ int cuMemAlloc_v2(uint64_t* address, size_t bytes)
     blocks[block_count++].bytes = bytes;
     return SUCCESS;
 }
-ALSO(cuMemAlloc, cuMemAlloc_v2)
 static int block_of(uint64_t address)
 {
     for (int i = 0; i < block_count; ++i) {
@@ -241,7 +230,6 @@ int cuMemFree_v2(uint64_t address)
     free((void*)address);
     return SUCCESS;
 }
-ALSO(cuMemFree, cuMemFree_v2)
 int cuMemGetAddressRange_v2(uint64_t* begin, size_t* bytes, uint64_t address)
 {
     const int at = block_of(address);
@@ -251,13 +239,10 @@ int cuMemGetAddressRange_v2(uint64_t* begin, size_t* bytes, uint64_t address)
     if (bytes) *bytes = blocks[at].bytes;
     return SUCCESS;
 }
-ALSO(cuMemGetAddressRange, cuMemGetAddressRange_v2)
 int cuMemAllocHost_v2(void** address, size_t bytes) { return *address = malloc(bytes), SUCCESS; }
-ALSO(cuMemAllocHost, cuMemAllocHost_v2)
-ALSO(cuMemHostAlloc, cuMemAllocHost_v2)
+int cuMemHostAlloc(void** address, size_t bytes) { return cuMemAllocHost_v2(address, bytes); }
 int cuMemFreeHost(void* address) { return free(address), SUCCESS; }
 int cuMemHostGetDevicePointer_v2(void) { return NOT_SUPPORTED; }
-ALSO(cuMemHostGetDevicePointer, cuMemHostGetDevicePointer_v2)
 int cuMemcpy2D_v2(void) { return NOT_SUPPORTED; }
 int cuMemcpy2DUnaligned_v2(void) { return NOT_SUPPORTED; }
 int cuMemcpy3D_v2(void) { return NOT_SUPPORTED; }
