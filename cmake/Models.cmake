@@ -26,9 +26,6 @@ function(mandelmarch_job_model model)
     if(NOT with_TEMPLATES)
         set(with_TEMPLATES ${PROJECT_SOURCE_DIR}/core/models)
     endif()
-    # Tests read these properties to build the kernels again from a mutant of the kernel source.
-    set_target_properties(${target} PROPERTIES
-        MANDELMARCH_TEMPLATES "${with_TEMPLATES}" MANDELMARCH_OPTIONS "${with_OPTIONS}")
     mandelmarch_kernels(${with_KERNELS} ${with_TEMPLATES}/loops.cpp.in OPTIONS ${with_OPTIONS} ${loops_table})
     mandelmarch_kernels(${with_KERNELS} ${with_TEMPLATES}/peak.cpp.in BY precision
         OPTIONS ${MANDELMARCH_FP_fast} ${with_OPTIONS} ${peak_table})
