@@ -139,10 +139,9 @@ kill-test: flythrough ## check that a film killed at twenty random moments resum
 	@bash tests/cases.sh tests/flight/plans_test.sh killed $(CURDIR)/bin $(CURDIR) 20
 
 SECONDS ?= 600
-fuzz: ## run each fuzzer of the file readers for SECONDS=600 (50 min on two cores)
-	@tools/build asan fuzzers render
-	@printf '%s\n' $(patsubst tests/fuzz/%_fuzz.cpp,%,$(wildcard tests/fuzz/*_fuzz.cpp)) | xargs -P "$$(nproc)" -n 1 \
-	    bash tests/fuzz/run.sh $(CURDIR)/build/asan/bin $(CURDIR) $(CURDIR)/build/fuzz $(SECONDS)
+fuzz: ## run the fuzzer of each file format for SECONDS=600 (50 min on two cores)
+	@tools/build asan fuzz render
+	@FUZZ_SECONDS=$(SECONDS) ctest --preset asan -R '^fuzz[.]'
 
 compilers: build ## check for the same bits with every other installed g++-N and clang++-N (2 min each)
 	@tools/compilers bin

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Functions for the CMakeLists.txt files of backends, and for the registry of backends (docs/add-a-backend.md).
+# Functions for the CMakeLists.txt files of backends, for the registry of backends (docs/add-a-backend.md), and for
+# programs.
 
 # The C++ compiler and the flags of all sources, as recorded in results.
 set(MANDELMARCH_CXX "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
@@ -61,4 +62,20 @@ constexpr Registration registrations[] = {
 ]])
     target_include_directories(${target} PRIVATE ${folder})
     target_link_libraries(${target} PUBLIC mandelmarch_core PRIVATE mandelmarch_warnings)
+endfunction()
+
+# mandelmarch_program(NAME SOURCE... LIBRARIES TARGET...): adds the program NAME. The SOURCEs must define
+# NAME_main(argc, argv). They become the object library program_NAME, from which the bundle (packaging/) links all
+# programs into one file.
+function(mandelmarch_program name)
+    cmake_parse_arguments(PARSE_ARGV 1 program "" "" "LIBRARIES")
+    add_library(program_${name} OBJECT ${program_UNPARSED_ARGUMENTS})
+    target_link_libraries(program_${name} PUBLIC ${program_LIBRARIES} PRIVATE mandelmarch_warnings)
+    set(main ${CMAKE_CURRENT_BINARY_DIR}/${name}_main.cpp)
+    file(CONFIGURE OUTPUT ${main} CONTENT [[
+int @name@_main(int argc, char** argv);
+int main(int argc, char** argv) { return @name@_main(argc, argv); }
+]] @ONLY)
+    add_executable(${name} ${main})
+    target_link_libraries(${name} PRIVATE program_${name})
 endfunction()

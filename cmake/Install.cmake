@@ -52,8 +52,17 @@ install(EXPORT mandelmarch NAMESPACE mandelmarch:: FILE mandelmarchTargets.cmake
 get_property(dependencies GLOBAL PROPERTY MANDELMARCH_DEPENDENCIES)
 list(REMOVE_DUPLICATES dependencies)
 list(JOIN dependencies "\n" dependencies)
-configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/mandelmarchConfig.cmake.in mandelmarchConfig.cmake
-    INSTALL_DESTINATION ${package_folder})
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/mandelmarchConfig.cmake @ONLY CONTENT [[
+# SPDX-License-Identifier: Apache-2.0
+include(CMakeFindDependencyMacro)
+find_dependency(fmt)
+find_dependency(JPEG)
+find_dependency(PNG)
+find_dependency(OpenEXR CONFIG)
+# Dependencies of the backends in this build.
+@dependencies@
+include(${CMAKE_CURRENT_LIST_DIR}/mandelmarchTargets.cmake)
+]])
 write_basic_package_version_file(mandelmarchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mandelmarchConfig.cmake ${PROJECT_BINARY_DIR}/mandelmarchConfigVersion.cmake
     DESTINATION ${package_folder})
@@ -70,6 +79,17 @@ foreach(list libraries packages words)
     list(JOIN ${list} " " ${list})
 endforeach()
 file(RELATIVE_PATH include ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_FULL_INCLUDEDIR}/mandelmarch)
-configure_file(${CMAKE_CURRENT_LIST_DIR}/mandelmarch.pc.in mandelmarch.pc.in @ONLY)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/mandelmarch.pc.in @ONLY CONTENT [[
+# SPDX-License-Identifier: Apache-2.0
+libdir=${pcfiledir}/..
+includedir=${pcfiledir}/@include@
+
+Name: @PROJECT_NAME@
+Description: @PROJECT_DESCRIPTION@
+Version: @PROJECT_VERSION@
+Requires: fmt libjpeg libpng OpenEXR @packages@
+Libs: -L${libdir} -lmandelmarch_backends @libraries@ -lmandelmarch_instruments -lmandelmarch_core @words@ -ldl
+Cflags: -std=c++20 -I${includedir}
+]])
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/mandelmarch.pc INPUT ${PROJECT_BINARY_DIR}/mandelmarch.pc.in)
 install(FILES ${PROJECT_BINARY_DIR}/mandelmarch.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -18,7 +18,7 @@ list(JOIN MANDELMARCH_NVPTX_OPTIONS " " MANDELMARCH_NVPTX_LINK)
 set(MANDELMARCH_NVPTX_LINK "-foffload-options=nvptx-none=${MANDELMARCH_NVPTX_LINK} -B")
 # The fewer registers a kernel uses, the more threads a GPU can hold. Therefore optimisations that keep values in
 # registers over a whole loop are disabled: hoisting of invariants, and elimination of redundancies across basic blocks.
-# tests/openacc/ptx_test.py limits the registers.
+# tests/gpu/ptx_test.py limits the registers.
 set(MANDELMARCH_NVPTX_FEW_REGISTERS -O2 -fno-gcse -fno-tree-pre -fno-move-loop-invariants -fno-tree-loop-optimize)
 
 # mandelmarch_loop_compiles(RESULT DIRECTIVE): sets RESULT to whether the compiler can compile a loop under the pragma

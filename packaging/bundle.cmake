@@ -5,7 +5,6 @@
 cmake_minimum_required(VERSION 3.25)
 include(${SETTINGS})
 include(${CMAKE_CURRENT_LIST_DIR}/libraries.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/licences.cmake)
 if(NOT DEFINED DRIVERS)
     set(DRIVERS ON)
 endif()
@@ -68,7 +67,7 @@ if(DRIVERS)
     foreach(device ${pocl_devices})
         carry_library(lib/drivers/pocl "$ORIGIN:$ORIGIN/..:$ORIGIN/../.." ${device})
     endforeach()
-    # PoCL links its kernels with the first ld on PATH; carried.cpp puts libexec/pocl first.
+    # PoCL links its kernels with the first ld on PATH; main.cpp puts libexec/pocl first.
     carry_libraries(lib/drivers "$ORIGIN:$ORIGIN/.." ${BUNDLE_LINKER} "")
     carry_library(libexec/pocl "$ORIGIN/../../lib/drivers:$ORIGIN/../../lib" ${BUNDLE_LINKER})
     file(COPY ${CMAKE_CURRENT_LIST_DIR}/ld DESTINATION ${BUNDLE}/libexec/pocl)
@@ -106,9 +105,7 @@ set(debian bookworm)
 if(glibc VERSION_GREATER 2.36)
     set(debian trixie)
 endif()
-foreach(recipe Containerfile mandelmarch.def)
-    configure_file(${CMAKE_CURRENT_LIST_DIR}/${recipe}.in ${BUNDLE}/container/${recipe} @ONLY)
-endforeach()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/Containerfile.in ${BUNDLE}/container/Containerfile @ONLY)
 execute_process(COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} ${program} render --version
     OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 set(drivers_carried "The bundle has no drivers for CPUs, so `opencl` and `vulkan` run only if the system

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Copies libraries into the bundle and makes their rpaths relative. Needs BUNDLE, PATCHELF, CMAKE_OBJDUMP.
+# Copies libraries into the bundle and makes their rpaths relative. Copies the licences that Debian's packages state for
+# the copied files, and lists the files with their licences. Needs BUNDLE, PATCHELF, CMAKE_OBJDUMP, DPKG_QUERY,
+# PROJECT_SOURCE_DIR, and CMAKE_SYSROOT if the bundle is for another processor.
 
 # say_and_end(TEXT): stops the script with a message of one line, which packaging/bundle prints.
 function(say_and_end text)
@@ -11,7 +13,7 @@ function(must_run)
     execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# note_origin(FILE ORIGIN): records for licences.cmake that the bundle's FILE is a copy of the system's file ORIGIN. The
+# note_origin(FILE ORIGIN): records for write_licences() that the bundle's FILE is a copy of the system's file ORIGIN. The
 # property ORIGINS holds entries "FILE|ORIGIN".
 function(note_origin file origin)
     set_property(GLOBAL APPEND PROPERTY ORIGINS "${file}|${origin}")
@@ -79,4 +81,93 @@ function(needed_glibc variable)
     list(SORT versions COMPARE NATURAL ORDER DESCENDING)
     list(GET versions 0 newest)
     set(${variable} ${newest} PARENT_SCOPE)
+endfunction()
+
+set(dpkg_database --admindir=${CMAKE_SYSROOT}/var/lib/dpkg)
+
+# package_of(VARIABLE FILE): sets VARIABLE to the package that contains FILE. If FILE is under /usr/lib, also looks for
+# it under /lib, where its package may still list it.
+function(package_of variable file)
+    cmake_path(RELATIVE_PATH file BASE_DIRECTORY "${CMAKE_SYSROOT}/")
+    string(PREPEND file /)
+    string(REGEX REPLACE "^/usr/lib" "/lib" old ${file})
+    foreach(path ${file} ${old})
+        execute_process(COMMAND ${DPKG_QUERY} ${dpkg_database} -S ${path}
+            OUTPUT_VARIABLE line RESULT_VARIABLE failed ERROR_QUIET)
+        if(NOT failed)
+            string(REGEX REPLACE "[:,].*" "" package "${line}")
+            set(${variable} ${package} PARENT_SCOPE)
+            return()
+        endif()
+    endforeach()
+    say_and_end("no Debian package has ${file}, so its licence is not known")
+endfunction()
+
+# carry_licence(PACKAGE): copies the licence to share/licences/PACKAGE.
+function(carry_licence package)
+    set(copy ${BUNDLE}/share/licences/${package})
+    if(EXISTS ${copy})
+        return()
+    endif()
+    get_filename_component(licence ${CMAKE_SYSROOT}/usr/share/doc/${package}/copyright REALPATH)
+    if(NOT EXISTS ${licence})
+        say_and_end("${package} has no copyright file")
+    endif()
+    file(COPY_FILE ${licence} ${copy})
+    # Debian's copyright files refer to common licences by their paths. Copies these licences too.
+    file(READ ${licence} text)
+    string(REGEX MATCHALL "/usr/share/common-licenses/[A-Za-z0-9.-]*[A-Za-z0-9]" common "${text}")
+    list(REMOVE_DUPLICATES common)
+    foreach(file ${common})
+        get_filename_component(name ${file} NAME)
+        get_filename_component(real ${file} REALPATH)
+        if(EXISTS ${real})
+            file(COPY_FILE ${real} ${BUNDLE}/share/licences/common/${name})
+        endif()
+    endforeach()
+endfunction()
+
+# row(FILE BYTES PACKAGE VERSION LICENCE): appends a line to MANIFEST.tsv.
+function(row)
+    list(JOIN ARGN "\t" line)
+    file(APPEND ${BUNDLE}/MANIFEST.tsv "${line}\n")
+endfunction()
+
+function(write_licences)
+    file(COPY ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${BUNDLE})
+    file(MAKE_DIRECTORY ${BUNDLE}/share/licences/common)
+    row(file bytes package version licence)
+    file(SIZE ${BUNDLE}/bin/mandelmarch bytes)
+    row(bin/mandelmarch ${bytes} mandelmarch ${PROJECT_VERSION} LICENSE)
+    get_property(origins GLOBAL PROPERTY ORIGINS)
+    foreach(pair ${origins})
+        string(REPLACE "|" ";" pair ${pair})
+        list(GET pair 0 name)
+        list(GET pair 1 origin)
+        package_of(package ${origin})
+        package_version(version ${package})
+        carry_licence(${package})
+        file(SIZE ${BUNDLE}/${name} bytes)
+        row(${name} ${bytes} ${package} ${version} share/licences/${package})
+    endforeach()
+    # Also lists the header-only libraries, because they are compiled into the programs.
+    foreach(header CLI/CLI.hpp nlohmann/json.hpp boost/version.hpp vulkan/vulkan_raii.hpp CL/opencl.hpp)
+        if(EXISTS ${CMAKE_SYSROOT}/usr/include/${header})
+            package_of(package ${CMAKE_SYSROOT}/usr/include/${header})
+            package_version(version ${package})
+            carry_licence(${package})
+            row("(compiled into bin/mandelmarch)" - ${package} ${version} share/licences/${package})
+        endif()
+    endforeach()
+    if(FFMPEG)
+        file(SIZE ${BUNDLE}/libexec/ffmpeg bytes)
+        row(libexec/ffmpeg ${bytes} - - "its builder's")
+    endif()
+endfunction()
+
+function(package_version variable package)
+    execute_process(COMMAND ${DPKG_QUERY} ${dpkg_database} -W "-f=\${Version}\\n" ${package}
+        OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
+    string(REGEX REPLACE "\n.*" "" version "${version}")
+    set(${variable} ${version} PARENT_SCOPE)
 endfunction()

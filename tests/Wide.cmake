@@ -1,56 +1,55 @@
 # SPDX-License-Identifier: Apache-2.0
 # The wide tests. They link each library alone, build the project with other presets, bundle it, run GPU kernels on a
 # simulated GPU, or call NVIDIA's assembler.
-add_subdirectory(builds/libraries)
-add_subdirectory(backends)
+include(builds/libraries.cmake)
+mandelmarch_cases(builds builds/builds_test.sh WIDE subproject package blank excess_precision
+    ARGUMENTS ${source} ${PROJECT_BINARY_DIR})
+# Two programs whose list of backends has an additional line, which registers the skeleton.
+mandelmarch_registry(mandelmarch_backends_and_skeleton ${MANDELMARCH_REGISTERED} skeleton)
+add_executable(render_with_skeleton ${PROJECT_SOURCE_DIR}/apps/render.cpp ${PROJECT_BINARY_DIR}/apps/render_main.cpp)
+target_link_libraries(render_with_skeleton PRIVATE mandelmarch_apps mandelmarch_backends_and_skeleton mandelmarch_warnings)
+add_executable(bench_with_skeleton ${PROJECT_SOURCE_DIR}/bench/main.cpp ${PROJECT_BINARY_DIR}/bench/bench_main.cpp)
+target_link_libraries(bench_with_skeleton PRIVATE mandelmarch_bench mandelmarch_backends_and_skeleton mandelmarch_warnings)
+mandelmarch_cases(registration models/registration_test.sh WIDE lists pictures bench ARGUMENTS ${bin} ${source} ${Python3_EXECUTABLE})
 find_program(MANDELMARCH_PATCHELF patchelf)
 if(MANDELMARCH_PATCHELF OR DEFINED ENV{CI})
     mandelmarch_cases(packaging packaging/bundle_test.sh WIDE bundle ARGUMENTS ${PROJECT_BINARY_DIR} ${source})
     set_tests_properties(packaging.bundle PROPERTIES RESOURCE_LOCK build)
 endif()
 # Adds tests that run kernels on a simulated GPU. The test `driver` builds the GPU's driver for the other tests.
-# The script of cuda also tests hip.
-set(tests_of_openacc "")
-set(tests_of_cuda block_sizes)
+set(simulated bits clock bands little_memory devices failures)
 foreach(backend openacc cuda hip)
     if(TARGET mandelmarch_${backend})
-        string(REPLACE hip cuda script ${backend})
-        set(others bits clock bands little_memory calls devices failures ${tests_of_${script}})
         set(gpu ${CMAKE_CURRENT_BINARY_DIR}/simulated_gpu/${backend})
-        mandelmarch_cases(${backend}.simulated ${script}/simulated_test.sh WIDE driver ${others}
+        mandelmarch_cases(${backend}.simulated gpu/simulated_test.sh WIDE driver ${simulated}
             ARGUMENTS ${bin} ${source} ${gpu} ${CMAKE_CXX_COMPILER} ${Python3_EXECUTABLE})
         set_tests_properties(${backend}.simulated.driver PROPERTIES FIXTURES_SETUP ${backend}_gpu)
-        list(TRANSFORM others PREPEND ${backend}.simulated.)
-        set_tests_properties(${others} PROPERTIES FIXTURES_REQUIRED ${backend}_gpu)
+        list(TRANSFORM simulated PREPEND ${backend}.simulated. OUTPUT_VARIABLE tests)
+        set_tests_properties(${tests} PROPERTIES FIXTURES_REQUIRED ${backend}_gpu)
     endif()
+    set(simulated bits clock bands little_memory devices failures block_sizes)  # of cuda and hip
 endforeach()
 if(TARGET mandelmarch_openacc)
     foreach(check text assemble)
-        mandelmarch_script(openacc.ptx.${check} openacc/ptx_test.py WIDE
+        mandelmarch_script(openacc.ptx.${check} gpu/ptx_test.py WIDE
             ARGUMENTS ${check} $<TARGET_FILE:mandelbulb> ${MANDELMARCH_FRACTALS})
         set_tests_properties(openacc.ptx.${check} PROPERTIES WORKING_DIRECTORY ${source})
     endforeach()
 endif()
 if(TARGET mandelmarch_hip)
     get_target_property(command mandelmarch_hip MANDELMARCH_COMMAND)
-    foreach(check text objects)
-        mandelmarch_script(hip.${check} cuda/hip_test.py WIDE ARGUMENTS ${check} $<TARGET_FILE:render>
-            ${PROJECT_BINARY_DIR}/backends/hip ${command} -I${source})
-    endforeach()
+    mandelmarch_script(hip.text gpu/hip_test.py WIDE ARGUMENTS ${PROJECT_BINARY_DIR}/backends/hip ${command} -I${source})
 endif()
 if(TARGET mandelmarch_cuda AND TARGET mandelmarch_openacc AND TARGET mandelmarch_opencl AND TARGET mandelmarch_vulkan)
     mandelmarch_cases(packaging packaging/gpu_check_test.sh WIDE gpu_check
         ARGUMENTS ${bin} ${source} ${CMAKE_CURRENT_BINARY_DIR}/simulated_gpu/cuda ${Python3_EXECUTABLE})
     set_tests_properties(packaging.gpu_check PROPERTIES FIXTURES_REQUIRED cuda_gpu)
 endif()
-mandelmarch_script(install.consumer install/consumer.sh WIDE ARGUMENTS ${PROJECT_BINARY_DIR})
-set_tests_properties(install.consumer PROPERTIES WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/install)
-mandelmarch_script(subproject builds/subproject.sh WIDE ARGUMENTS ${source})
 
 # mandelmarch_sibling(PRESET COST TARGET...): adds a test that builds the targets with another preset. Builds with a
 # higher COST start first.
 function(mandelmarch_sibling preset cost)
-    mandelmarch_script(build.${preset} builds/build.sh WIDE ARGUMENTS ${preset} ${ARGN})
+    mandelmarch_test(build.${preset} WIDE COMMAND ${source}/tools/build ${preset} ${ARGN})
     set_tests_properties(build.${preset} PROPERTIES FIXTURES_SETUP ${preset} RESOURCE_LOCK build TIMEOUT 2400 COST ${cost}
         WORKING_DIRECTORY ${source})
 endfunction()
@@ -62,13 +61,13 @@ if(TARGET bench_micro)
     set(micro bench_micro)
 endif()
 mandelmarch_sibling(clang 1 render)
-mandelmarch_sibling(asan 4 unit_test same_bits_test fuzzers render imgdiff mandelbulb mandelbox)
+mandelmarch_sibling(asan 4 unit_test same_bits_test fuzz render imgdiff mandelbulb mandelbox)
 mandelmarch_sibling(tsan 2 same_bits_test data_race)
 mandelmarch_sibling(fractal 3 bench ${micro} render flythrough imgdiff every_fractal_test equivalence_test)
 set_tests_properties(build.clang PROPERTIES ENVIRONMENT "SPIRV=${PROJECT_BINARY_DIR}/backends/vulkan")
 mandelmarch_script(same_bits.compilers builds/same_bits.sh WIDE ARGUMENTS ${bin} ${source}/build/clang/bin)
 set_tests_properties(same_bits.compilers PROPERTIES FIXTURES_REQUIRED clang WORKING_DIRECTORY ${source})
-mandelmarch_cases(omptarget.clang omptarget/clang_test.sh WIDE bits plugin
+mandelmarch_cases(omptarget.clang models/omptarget_test.sh WIDE bits plugin
     ARGUMENTS ${bin} ${source} ${source}/build/clang/bin)
 set_tests_properties(omptarget.clang.bits omptarget.clang.plugin PROPERTIES FIXTURES_REQUIRED clang)
 # Other processors, emulated. CI must have the tools.

@@ -7,16 +7,22 @@
 
 namespace mandelmarch {
 
-// Returns the message of the InputError that `call` throws; "" if it throws none.
-template <class Call>
-std::string refusal_of(const Call& call)
+// Returns the message of the Exception that `call` throws; "" if it throws none.
+template <class Exception, class Call>
+std::string message_of(const Call& call)
 {
     try {
         call();
-    } catch (const InputError& error) {
+    } catch (const Exception& error) {
         return error.what();
     }
     return "";
+}
+
+template <class Call>
+std::string refusal_of(const Call& call)
+{
+    return message_of<InputError>(call);
 }
 
 }  // namespace mandelmarch

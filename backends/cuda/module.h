@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loads and launches kernels that are embedded in the program: of cuda, as PTX; of hip, as code objects. Each of the
-// two backends compiles this folder with its own values of the macros that cmake/GpuModel.cmake defines.
+// two backends compiles this folder with its own values of the macros that cmake/Models.cmake defines.
 #pragma once
 
 #include <functional>

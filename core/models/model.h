@@ -33,7 +33,7 @@ struct OpenedDevice {
     std::string note = {};      // warning that is printed when a renderer uses this device; may be empty
 };
 
-// Functions that find kernels by name and return nullptr for an unknown name. cmake/JobKernels.cmake generates both, in
+// Functions that find kernels by name and return nullptr for an unknown name. cmake/Models.cmake generates both, in
 // the model's namespace.
 struct Kernels {
     DrawKernel* (*drawing)(std::string_view variant);  // by variant_name()

@@ -46,7 +46,7 @@ test_nothing_there() {
 }
 
 # The rays take thousands of steps with few iterations each. If they were marched in one pass, lavapipe would end their
-# loops early without an error. Therefore they must be marched in several passes. unit/vulkan_test.cpp has a scene in
+# loops early without an error. Therefore they must be marched in several passes. tests/equivalence has a scene in
 # which single DE evaluations have long loops.
 test_long_loops() {
     local scene size mode

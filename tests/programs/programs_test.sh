@@ -199,7 +199,7 @@ test_parameter_files() {
 
 # An output file that cannot be written is reported before anything is rendered.
 test_output_files() {
-    local name pair
+    local name
     for name in image image.tiff; do
         sed "s/^imageBulb.bmp/$name/" paramsBulb.dat >unknown.dat
         expect 2 "$bin/mandelbulb" unknown.dat $small
@@ -215,14 +215,11 @@ test_output_files() {
     expect 0 bulb --output a.bmp
     cp a.bmp twice.bmp
     ln -s twice.bmp link.bmp
-    ln twice.bmp hard.bmp
-    for pair in "new.bmp ./new.bmp" "link.bmp hard.bmp"; do
-        expect 2 bulb --output ${pair% *} --stats ${pair#* }
-        says 'the same file'
-    done
+    expect 2 bulb --output link.bmp --stats twice.bmp
+    says 'the same file'
     cp paramsBulb.dat parameters.bmp
     expect 2 "$bin/mandelbulb" parameters.bmp $small --output ./parameters.bmp
-    expect 2 "$bin/imgdiff" a.bmp link.bmp --map hard.bmp
+    expect 2 "$bin/imgdiff" a.bmp link.bmp --map twice.bmp
     same_file twice.bmp a.bmp
     same_file parameters.bmp paramsBulb.dat
 }
@@ -274,8 +271,6 @@ test_environment() {
     says "^MANDELMARCH_BACKENDS: 'nonsense' given, expected some of reference, openmp"
     MANDELMARCH_DRIVER_LOG=./s.bmp expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output s.bmp
     says 'the same file'
-    OMP_NUM_THREADS=200000 expect 2 "$bin/mandelbulb" paramsBulb.dat $small --output s.bmp
-    says "^OMP_NUM_THREADS: '200000' given, expected 1 to 1024"
     for name in OMP_STACKSIZE GOMP_STACKSIZE; do
         expect 2 env $name=16k "$bin/mandelbulb" paramsBulb.dat $small --output s.bmp
         says "^$name: '16k' given, expected at least 64K"

@@ -31,14 +31,6 @@ test_official_scenes() {
     done
 }
 
-# A file that seems to be for another fractal gives a warning. unit/parameter_file_test.cpp tests more such files.
-test_another_fractals_file() {
-    run 0 bulb paramsBox.dat
-    says '^paramsBox.dat:[0-9]+: warning: these comments suit a mandelbox better than a mandelbulb'
-    run 2 box paramsBulb.dat
-    says 'paramsBulb.dat:[0-9]+: .*\(the file reads as one of a mandelbulb\)'
-}
-
 test_nothing_in_view() {
     change paramsBox.dat 1 "14000 8000 10000" >far.dat
     run 0 box far.dat

@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -45,28 +44,16 @@ private:
     const std::string root_ = made_.path().string();
 };
 
-// Sets an environment variable for the lifetime of the object.
-class Variable {
-public:
-    Variable(const char* name, const char* value) : name_(name)
+class CoreCount : public testing::Test {
+protected:
+    static void set(const char* name, const char* value) { setenv(name, value, 1); }
+    void TearDown() override
     {
-        if (const char* old = std::getenv(name)) old_ = old;
-        setenv(name, value, 1);
-    }
-    ~Variable()
-    {
-        if (old_) {
-            setenv(name_, old_->c_str(), 1);
-        } else {
-            unsetenv(name_);
+        for (const char* name :
+             {"OMP_NUM_THREADS", "OMP_THREAD_LIMIT", "OMP_PLACES", "OMP_PROC_BIND", "GOMP_CPU_AFFINITY"}) {
+            unsetenv(name);
         }
     }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    const char* name_;
-    std::optional<std::string> old_;
 };
 
 TEST(MemoryLeft, CountsNoPageCacheOfVersion2)
@@ -155,7 +142,7 @@ TEST(Quota, ThrottledPeriodsAreCounted)
     EXPECT_EQ(throttling(tree.root()).periods, 103);
 }
 
-TEST(CoreCount, FollowsAffinityQuotaAndOpenmp)
+TEST_F(CoreCount, FollowsAffinityQuotaAndOpenmp)
 {
     EXPECT_EQ((Cores{.machine = 8, .given = 8}.threads()), 8);
     EXPECT_EQ((Cores{.machine = 8, .given = 3}.threads()), 3);
@@ -167,37 +154,37 @@ TEST(CoreCount, FollowsAffinityQuotaAndOpenmp)
     EXPECT_EQ((Cores{.machine = 8, .given = 8, .limit = 16}.threads()), 8);
 }
 
-TEST(CoreCount, ReadsOpenmpsVariables)
+TEST_F(CoreCount, ReadsOpenmpsVariables)
 {
     // GNU's library ignores these values, too, and says so.
     for (const char* nonsense : {"", "x", "0", "-2", "1e3", "3.7", "3x", "3,", "2,x", "99999999999999999999"}) {
-        const Variable number("OMP_NUM_THREADS", nonsense);
+        set("OMP_NUM_THREADS", nonsense);
         EXPECT_FALSE(cores().asked) << nonsense;
     }
-    const Variable limit("OMP_THREAD_LIMIT", "4294967295");
+    set("OMP_THREAD_LIMIT", "4294967295");
     for (const char* many : {"1025", "200000", "2147483648,1"}) {
-        const Variable number("OMP_NUM_THREADS", many);
+        set("OMP_NUM_THREADS", many);
         EXPECT_THROW(cores(), InputError) << many;
     }
-    const Variable most("OMP_NUM_THREADS", "1024 ");
+    set("OMP_NUM_THREADS", "1024 ");
     EXPECT_EQ(usable_threads(), 1024);
 }
 
-TEST(CoreCount, NamesWhatBindsOpenmpsThreads)
+TEST_F(CoreCount, NamesWhatBindsOpenmpsThreads)
 {
-    const Variable places("OMP_PLACES", "");
-    const Variable affinity("GOMP_CPU_AFFINITY", "");
+    set("OMP_PLACES", "");
+    set("GOMP_CPU_AFFINITY", "");
     for (const char* binds : {"close", "TRUE", " True ", "Spread,close", "primary"}) {
-        const Variable bind("OMP_PROC_BIND", binds);
+        set("OMP_PROC_BIND", binds);
         EXPECT_EQ(binding(), std::string("OMP_PROC_BIND=") + binds);
     }
-    const Variable core("GOMP_CPU_AFFINITY", "0");
+    set("GOMP_CPU_AFFINITY", "0");
     for (const char* loose : {"false", "False", " FALSE"}) {
-        const Variable bind("OMP_PROC_BIND", loose);
+        set("OMP_PROC_BIND", loose);
         EXPECT_EQ(binding(), "") << loose;
     }
     for (const char* ignored : {"", "yes", "true,close"}) {
-        const Variable bind("OMP_PROC_BIND", ignored);
+        set("OMP_PROC_BIND", ignored);
         EXPECT_EQ(binding(), "GOMP_CPU_AFFINITY=0") << ignored;
     }
 }

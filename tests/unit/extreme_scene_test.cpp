@@ -15,24 +15,6 @@
 namespace mandelmarch {
 namespace {
 
-TEST(ExtremeScene, HasAParameterFileThatReadsAsItself)
-{
-    for (const Fractal& fractal : fractals()) {
-        for (int number = 0; number < 50; ++number) {
-            const Scene scene = extreme_scene(fractal, 3, number);
-            const std::string text = to_parameters(scene);
-            const ParameterFile read = parse_parameters(text, "scene.dat", fractal);
-            EXPECT_TRUE(read.warnings.empty());
-            EXPECT_EQ(to_parameters(read.scene), text);
-            EXPECT_EQ(read.scene.eye.x, scene.eye.x);
-            EXPECT_EQ(read.scene.detail, scene.detail);
-            EXPECT_EQ(read.scene.shape, scene.shape);
-            EXPECT_EQ(read.scene.escape, scene.escape);
-            EXPECT_EQ(read.scene.brightness, scene.brightness);
-        }
-    }
-}
-
 TEST(ExtremeScene, IsTheSameForTheSameNumbersOnly)
 {
     std::set<std::string> texts;

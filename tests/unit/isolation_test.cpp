@@ -17,6 +17,7 @@
 #include "core/os/child_process.h"
 #include "core/text/error.h"
 #include "core/render/registry.h"
+#include "tests/refusal.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {
@@ -147,21 +148,6 @@ Scene bad_scene()
     return scene;
 }
 
-// Returns the message of the Exception that `call` throws; "" if it throws none. If the exception is of another type,
-// the text "another exception" precedes the message.
-template <class Exception, class Call>
-std::string thrown_by(const Call& call)
-{
-    try {
-        call();
-    } catch (const Exception& error) {
-        return error.what();
-    } catch (const std::exception& error) {
-        return std::string("another exception: ") + error.what();
-    }
-    return {};
-}
-
 class Isolation : public testing::Test {
 protected:
     void SetUp() override { setenv("MANDELMARCH_DEVICE_TIMEOUT", "0.2", 1); }
@@ -242,11 +228,11 @@ TEST_F(Isolation, ErrorsKeepTheirTypeAndMessage)
 {
     const auto backend = made(Where::opening);
     const auto create = [&](Conduct conduct) { return [&backend, conduct] { backend->create({.device = conduct}); }; };
-    EXPECT_EQ(thrown_by<Error>(create(refuses)), "the driver refuses");
-    EXPECT_EQ(thrown_by<Unavailable>(create(lacks)), "the driver has no double");
-    EXPECT_EQ(thrown_by<InputError>(create(dislikes)), "--simd-width: the driver dislikes 3");
-    EXPECT_NE(thrown_by<std::bad_alloc>(create(starves)), "");
-    EXPECT_EQ(thrown_by<Error>(create(fails)), "backend made: Resource temporarily unavailable");
+    EXPECT_EQ(message_of<Error>(create(refuses)), "the driver refuses");
+    EXPECT_EQ(message_of<Unavailable>(create(lacks)), "the driver has no double");
+    EXPECT_EQ(message_of<InputError>(create(dislikes)), "--simd-width: the driver dislikes 3");
+    EXPECT_NE(message_of<std::bad_alloc>(create(starves)), "");
+    EXPECT_EQ(message_of<Error>(create(fails)), "backend made: Resource temporarily unavailable");
 }
 
 // A limit on the size of files, which is not a lack of memory, stops the shared memory of a picture.
@@ -258,7 +244,7 @@ TEST_F(Isolation, MemoryThatCannotBeSharedIsAnErrorWithItsCause)
     getrlimit(RLIMIT_FSIZE, &all);
     const rlimit small{.rlim_cur = 64, .rlim_max = all.rlim_max};
     setrlimit(RLIMIT_FSIZE, &small);
-    const std::string why = thrown_by<Error>([&] { drawn(*renderer); });
+    const std::string why = message_of<Error>([&] { drawn(*renderer); });
     setrlimit(RLIMIT_FSIZE, &all);
     EXPECT_NE(why.find("File too large"), std::string::npos) << why;
 }
@@ -272,13 +258,13 @@ TEST_F(Isolation, ProcessThatEndsIsAnErrorWithStageAndCause)
         const RendererOptions options{.device = conduct};
         const auto renderer = drawing->create(options);
         const auto other = drawing->create(options);
-        const std::string why = thrown_by<Error>([&] { drawn(*renderer, bad_scene()); });
+        const std::string why = message_of<Error>([&] { drawn(*renderer, bad_scene()); });
         const std::string place = "backend made: device " + std::to_string(conduct);
         for (const std::string& part :
              {place, std::string("while drawing"), how, std::string("its last words: driver: something is wrong")}) {
             EXPECT_NE(why.find(part), std::string::npos) << why;
         }
-        const std::string before = thrown_by<Error>([&] { opening->create(options); });
+        const std::string before = message_of<Error>([&] { opening->create(options); });
         EXPECT_NE(before.find("while opening the device"), std::string::npos) << before;
         // Afterwards the same renderer renders in a new process. Another renderer of the device is not affected.
         EXPECT_TRUE(drawn(*renderer));
@@ -291,7 +277,7 @@ TEST_F(Isolation, CrashIsReportedIfSigchldIsIgnored)
 {
     std::signal(SIGCHLD, SIG_IGN);
     const auto backend = made(Where::opening);
-    const std::string why = thrown_by<Error>([&] { backend->create({.device = crashes}); });
+    const std::string why = message_of<Error>([&] { backend->create({.device = crashes}); });
     EXPECT_NE(why.find("signal 11"), std::string::npos) << why;
     EXPECT_THROW(ChildProcess({.words = {"false"}}).end(), Error);
     std::signal(SIGCHLD, SIG_DFL);
@@ -328,9 +314,9 @@ TEST_F(Isolation, DeviceThatHungIsGivenUpAndAnotherRenders)
     const auto backend = made(Where::drawing);
     const auto renderer = backend->create({.device = hangs});
     const auto draw = [&] { drawn(*renderer, bad_scene()); };
-    EXPECT_EQ(thrown_by<Error>(draw),
+    EXPECT_EQ(message_of<Error>(draw),
               "backend made: device 4: no answer within 0.2 s while drawing (MANDELMARCH_DEVICE_TIMEOUT)");
-    EXPECT_EQ(thrown_by<Error>(draw), "backend made: device 4: it did not answer before and was given up");
+    EXPECT_EQ(message_of<Error>(draw), "backend made: device 4: it did not answer before and was given up");
     EXPECT_TRUE(drawn(*backend->create({.device = draws})));
 }
 

@@ -25,7 +25,7 @@ void draw(const void* address, const job::Launch& launch)
 }
 
 // The calls that the fake model has received.
-struct Asked {
+struct Calls {
     int allocations = 0;
     int launches = 0;
     int current = 0;  // selections that live
@@ -35,7 +35,7 @@ struct Asked {
 
 class Counting : public job::Model {
 public:
-    explicit Counting(Asked& asked, int threads = 0) : asked_(asked), threads_(threads) {}
+    explicit Counting(Calls& calls, int threads = 0) : calls_(calls), threads_(threads) {}
 
     std::string_view name() const override { return "counting"; }
     BackendInfo info() const override { return {}; }
@@ -46,30 +46,30 @@ public:
     job::OpenedDevice open(int) const override { return {.pixels_per_band = 100, .resident_threads = threads_}; }
     job::Selection select(const RendererOptions&) const override
     {
-        ++asked_.current;
-        return std::shared_ptr<int>(&asked_.current, [](int* current) { --*current; });
+        ++calls_.current;
+        return std::shared_ptr<int>(&calls_.current, [](int* current) { --*current; });
     }
     double seconds_of(const std::function<void()>& launch) const override
     {
-        ++asked_.launches;
+        ++calls_.launches;
         launch();
         return device_seconds;
     }
     void* allocate(std::size_t bytes) const override
     {
-        ++asked_.allocations;
-        asked_.outside |= asked_.current == 0;
-        return *asked_.held.insert(Model::allocate(bytes)).first;
+        ++calls_.allocations;
+        calls_.outside |= calls_.current == 0;
+        return *calls_.held.insert(Model::allocate(bytes)).first;
     }
     void release(void* address) const override
     {
-        asked_.outside |= asked_.current == 0;
-        asked_.held.erase(address);
+        calls_.outside |= calls_.current == 0;
+        calls_.held.erase(address);
         Model::release(address);
     }
 
 private:
-    Asked& asked_;
+    Calls& calls_;
     int threads_;
 };
 
@@ -88,34 +88,34 @@ protected:
         return backend_->create({.precision = Precision::f32, .band = band, .counts = false});
     }
 
-    Asked asked_;
-    std::unique_ptr<Backend> backend_ = job::backend_of(std::make_unique<Counting>(asked_));
+    Calls calls_;
+    std::unique_ptr<Backend> backend_ = job::backend_of(std::make_unique<Counting>(calls_));
 };
 
 TEST_F(KernelArguments, ARendererKeepsItsMemoryFromPictureToPicture)
 {
     const auto renderer = created();
     drawn(*renderer, 20, 20);
-    const int taken = asked_.allocations;
+    const int taken = calls_.allocations;
     EXPECT_GT(taken, 0);
     drawn(*renderer, 20, 20);
     drawn(*renderer, 10, 10);
-    EXPECT_EQ(asked_.allocations, taken);
+    EXPECT_EQ(calls_.allocations, taken);
     drawn(*renderer, 200, 20);  // a single row is larger than the band for which memory was allocated
-    EXPECT_GT(asked_.allocations, taken);
+    EXPECT_GT(calls_.allocations, taken);
 }
 
 TEST_F(KernelArguments, MemoryIsReleasedOnItsDevice)
 {
     drawn(*created(), 20, 20);
-    EXPECT_TRUE(asked_.held.empty());
-    EXPECT_FALSE(asked_.outside);
+    EXPECT_TRUE(calls_.held.empty());
+    EXPECT_FALSE(calls_.outside);
 }
 
 TEST_F(KernelArguments, KernelTimeIsByTheDevicesClock)
 {
     const Timings timings = drawn(*created(), 20, 20);
-    EXPECT_EQ(asked_.launches, 4);
+    EXPECT_EQ(calls_.launches, 4);
     EXPECT_EQ(timings.kernel, 4 * device_seconds);
     EXPECT_LT(timings.host, device_seconds);
 }
@@ -124,7 +124,7 @@ TEST_F(KernelArguments, KernelTimeIsByTheDevicesClock)
 TEST_F(KernelArguments, ResidentThreadsMarch)
 {
     for (const auto& [resident, marching] : {std::pair{96, 96}, {0, 255}}) {
-        const auto backend = job::backend_of(std::make_unique<Counting>(asked_, resident));
+        const auto backend = job::backend_of(std::make_unique<Counting>(calls_, resident));
         Image image(10, 20, Image::Layers::bytes);
         backend->create({.precision = Precision::f32, .counts = false})->render(official_scene("box", 10, 20), image);
         EXPECT_EQ(image.bytes()[1], marching);
@@ -142,7 +142,7 @@ TEST_F(KernelArguments, EachBandBeginsWithAllItsPixels)
 TEST_F(KernelArguments, BandsHaveTheSizeOfTheOption)
 {
     drawn(*created(200), 20, 20);
-    EXPECT_EQ(asked_.launches, 2);
+    EXPECT_EQ(calls_.launches, 2);
 }
 
 }  // namespace

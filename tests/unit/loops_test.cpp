@@ -123,18 +123,24 @@ TEST(Loops, EveryPassOfMarchingReportsProgress)
     EXPECT_EQ(signs, (std::vector<double>{0, 0, 0, 1}));
 }
 
+constexpr Starts with_starts{.cones = {{8, 0}, {2, 8}}, .cone_passes = 2, .lattices = {{{0, 2}, {2, 1}}, 2}};
+
 // If a band takes longer than the time limit, the next bands shrink, down to single rows. If it takes less, the next
-// bands grow to the largest size that the device holds. Without a time limit, all bands have the largest size.
+// bands grow to the largest size that the device holds. Without a time limit, all bands have the largest size, and also
+// if rays begin at cones or neighbours: then pixels depend on the rows of their band.
 TEST(Loops, BandsAreCutByTime)
 {
-    const auto bands_of = [](double seconds) {
+    const auto bands_of = [](double seconds, const Starts& starts = {}) {
         Noting noting;
         Image image(1024, 200, Image::Layers::bytes);
         std::vector<int> rows;
         int done = 0;
         run_schedule(official_scene("bulb", 1024, 200), Mode::exact,
-                     {.pixels_per_band = 1024 * 128, .pixels_to_fill = 1024 * 128, .seconds_per_band = seconds}, noting,
-                     image, [&](double share) {
+                     {.pixels_per_band = 1024 * 128,
+                      .pixels_to_fill = 1024 * 128,
+                      .starts = starts,
+                      .seconds_per_band = seconds},
+                     noting, image, [&](double share) {
                          rows.push_back(static_cast<int>(std::lround(share * 200)) - done);
                          done += rows.back();
                      });
@@ -145,12 +151,11 @@ TEST(Loops, BandsAreCutByTime)
     EXPECT_EQ(bands_of(1e-30), single);
     EXPECT_EQ(bands_of(1e30), (std::vector<int>{16, 64, 120}));
     EXPECT_EQ(bands_of(0), (std::vector<int>{128, 72}));
+    EXPECT_EQ(bands_of(1e-30, with_starts), (std::vector<int>{128, 72}));
 }
 
-constexpr Starts with_starts{.cones = {{8, 0}, {2, 8}}, .cone_passes = 2, .lattices = {{{0, 2}, {2, 1}}, 2}};
-
 // An executor that records the passes of each band as text, such as "cones 8 in 0".
-class Listing : public Executor {
+class Recording : public Executor {
 public:
     void run(Entry entry, const Band& band, int) override
     {
@@ -166,14 +171,14 @@ public:
 
 TEST(Loops, ConesComeBeforeTheLatticesOfEachBand)
 {
-    Listing listing;
+    Recording recording;
     Image image(8, 32, Image::Layers::bytes);
     run_schedule(official_scene("bulb", 8, 32), Mode::fast,
-                 {.pixels_per_band = 8 * 16, .pixels_to_fill = 8 * 16, .starts = with_starts}, listing, image, {});
+                 {.pixels_per_band = 8 * 16, .pixels_to_fill = 8 * 16, .starts = with_starts}, recording, image, {});
     const std::vector<std::string> band{"cones 8 in 0", "cones 2 in 8", "pixels 2 of 0", "pixels 1 of 2", "16 rows"};
     std::vector<std::string> both = band;
     both.insert(both.end(), band.begin(), band.end());
-    EXPECT_EQ(listing.passes, both);
+    EXPECT_EQ(recording.passes, both);
 }
 
 TEST(Loops, InnerConesBeginAtTheEndsOfTheOuterOnes)
@@ -186,23 +191,6 @@ TEST(Loops, InnerConesBeginAtTheEndsOfTheOuterOnes)
     EXPECT_EQ(starts.cones[0].within, 0);
     EXPECT_EQ(starts.cones[1].side, 2);
     EXPECT_EQ(starts.cones[1].within, 8);
-}
-
-// Pixels depend on the rows of their band if rays begin at cones or neighbours. Negative control: without, time cuts
-// the bands.
-TEST(Loops, TimeDoesNotCutBandsWithConesOrNeighbours)
-{
-    const auto bands_of = [](const Starts& starts) {
-        Listing listing;
-        Image image(1024, 200, Image::Layers::bytes);
-        run_schedule(
-            official_scene("bulb", 1024, 200), Mode::fast,
-            {.pixels_per_band = 1024 * 128, .pixels_to_fill = 1024 * 128, .starts = starts, .seconds_per_band = 1e-30},
-            listing, image, {});
-        return std::ranges::count_if(listing.passes, [](const std::string& pass) { return pass.ends_with("rows"); });
-    };
-    EXPECT_EQ(bands_of(with_starts), 2);
-    EXPECT_EQ(bands_of({}), 185);
 }
 
 TEST(Loops, ConesTakeHalfOfTheDevicesLimit)

@@ -134,20 +134,5 @@ TEST(Bailout, AnyRadiusFitsAFloat)
     }
 }
 
-TEST(Registry, BackendsThatAreNotBuiltAreUnavailable)
-{
-    const Registry registry = all_backends();
-    for (const auto& backend : registry.backends()) {
-        if (!backend->unavailable()) {
-            EXPECT_FALSE(backend->devices().empty());
-            continue;
-        }
-        EXPECT_THROW(backend->create({}), Unavailable) << backend->name();
-    }
-    EXPECT_EQ(registry.find("nothing"), nullptr);
-    EXPECT_THROW(registry.find("openmp")->create({.device = 1}), Unavailable);
-    EXPECT_THROW(registry.find("reference")->create({.precision = Precision::f32}), Unavailable);
-}
-
 }  // namespace
 }  // namespace mandelmarch

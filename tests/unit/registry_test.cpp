@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs select backends by their BackendInfo, which includes their role, not by name. A wrapper of a backend must
-// return the BackendInfo of that backend.
+// What programs rely on in every backend: its BackendInfo, by which programs select it, also through a wrapper; that it
+// is unavailable if it is not built; and that a render can be cancelled.
 #include "core/render/registry.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "backends/all.h"
-#include "core/text/error.h"
 #include "core/isolation/isolated.h"
+#include "core/text/error.h"
+#include "tests/scenes.h"
 
 namespace mandelmarch {
 namespace {
@@ -47,27 +50,6 @@ public:
     std::vector<Device> devices() const override { std::abort(); }
 };
 
-BackendInfo all_facts()
-{
-    return {.role = Role::accelerator,
-            .has_driver = true,
-            .threads = true,
-            .simd_width = true,
-            .chunk = true,
-            .gpus = "made GPU",
-            .build = {"a compiler", "-exact", "-fast"}};
-}
-
-void expect_all(const BackendInfo& info)
-{
-    EXPECT_EQ(info.role, Role::accelerator);
-    EXPECT_TRUE(info.has_driver && info.threads && info.simd_width && info.chunk);
-    EXPECT_EQ(info.gpus, "made GPU");
-    EXPECT_EQ(info.build.compiler, "a compiler");
-    EXPECT_EQ(info.build.exact, "-exact");
-    EXPECT_EQ(info.build.fast, "-fast");
-}
-
 template <class... Backends>
 Registry registry_of(Backends... backends)
 {
@@ -78,10 +60,12 @@ Registry registry_of(Backends... backends)
 
 TEST(BackendInfo, PassThroughIsolationWithoutADevice)
 {
-    const auto isolated_one = isolated(std::make_unique<Crashing>("made", all_facts()));
-    expect_all(isolated_one->info());
+    const BackendInfo info{.role = Role::accelerator, .build = {.compiler = "a compiler"}};
+    const auto isolated_one = isolated(std::make_unique<Crashing>("made", info));
+    EXPECT_EQ(isolated_one->info().role, Role::accelerator);
+    EXPECT_EQ(isolated_one->info().build.compiler, "a compiler");
     EXPECT_EQ(isolated_one->installed_drivers().at(0).library, "libmade.so");
-    EXPECT_THROW(isolated_one->devices(), Error) << "its driver crashes, and was not asked for the facts";
+    EXPECT_THROW(isolated_one->devices(), Error) << "its driver crashes, and was not opened for the properties";
     EXPECT_EQ(without_backend("made", "not built")->info().build.compiler, "");
 }
 
@@ -119,6 +103,44 @@ TEST(Automatic, TakesTheFirstAcceleratorWithAGpuElseTheHost)
     EXPECT_EQ(without.automatic().reason, "no made GPU here");
     EXPECT_EQ(registry_of(host).automatic().reason, "this build has no accelerator");
     EXPECT_THROW(registry_of(idle).automatic(), Unavailable);
+}
+
+TEST(Registry, BackendsAndDevicesThatAreMissingAreUnavailable)
+{
+    const Registry registry = all_backends();
+    for (const auto& backend : registry.backends()) {
+        if (!backend->unavailable()) {
+            const int devices = static_cast<int>(backend->devices().size());
+            EXPECT_GT(devices, 0);
+            EXPECT_THROW(backend->create({.device = devices}), Unavailable) << backend->name();
+            continue;
+        }
+        EXPECT_THROW(backend->create({}), Unavailable) << backend->name();
+    }
+    EXPECT_EQ(registry.find("nothing"), nullptr);
+    EXPECT_THROW(registry.find("reference")->create({.precision = Precision::f32}), Unavailable);
+}
+
+// The picture is a single band, so openmp ends between tiles, before the first one.
+TEST(Cancelling, EveryBackendEndsAndDrawsAgain)
+{
+    const Registry registry = all_backends();
+    const Scene scene = official_scene("bulb", 40, 30);
+    const auto is_black = [](const Image& image) {
+        return std::ranges::all_of(image.bytes(), [](std::uint8_t byte) { return byte == 0; });
+    };
+    for (const auto& backend : registry.backends()) {
+        if (backend->unavailable()) continue;
+        SCOPED_TRACE(backend->name());
+        const auto renderer = backend->create({});
+        Image image(40, 30, Image::Layers::bytes);
+        std::stop_source source;
+        source.request_stop();
+        EXPECT_THROW(renderer->render(scene, image, Progress(source.get_token())), Cancelled);
+        EXPECT_TRUE(is_black(image) || backend->name() != "openmp");
+        EXPECT_NO_THROW(renderer->render(scene, image, Progress(std::stop_source().get_token())));
+        EXPECT_FALSE(is_black(image));
+    }
 }
 
 }  // namespace

@@ -119,15 +119,15 @@ TEST(Trial, ChangesNothingWhereStepsWereFine)
 using Recorded = std::vector<std::pair<int, bool>>;
 
 // A backend that draws nothing, but records its pictures.
-class Recording : public Backend, public Renderer {
+class Recorder : public Backend, public Renderer {
 public:
-    explicit Recording(Recorded& pictures) : pictures_(pictures) {}
+    explicit Recorder(Recorded& pictures) : pictures_(pictures) {}
     std::string_view name() const override { return "recording"; }
     std::optional<std::string> unavailable() const override { return std::nullopt; }
     std::vector<Device> devices() const override { return {Device{}}; }
     std::unique_ptr<Renderer> do_create(const RendererOptions&) const override
     {
-        return std::make_unique<Recording>(pictures_);
+        return std::make_unique<Recorder>(pictures_);
     }
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
@@ -144,7 +144,7 @@ private:
 TEST(Trial, EndsAfterThePictureInWhichItIsCancelled)
 {
     Recorded pictures;
-    const auto renderer = Recording(pictures).create({.mode = Mode::fast});
+    const auto renderer = Recorder(pictures).create({.mode = Mode::fast});
     Image image(320, 320, Image::Layers::bytes);
     const Scene scene = official_scene("bulb", 320, 320);
     std::stop_source source;
@@ -159,7 +159,7 @@ TEST(Trial, EndsAfterThePictureInWhichItIsCancelled)
 TEST(Trial, OfTheFirstStripServesTheWholeRegion)
 {
     Recorded pictures;
-    const auto renderer = Recording(pictures).create({.mode = Mode::fast});
+    const auto renderer = Recorder(pictures).create({.mode = Mode::fast});
     const RenderStats report =
         render_region(*renderer, official_scene("bulb", 4096, 4096), {7, 0, 40, 2048}, Image::Layers::bytes).second;
     EXPECT_EQ(pictures, (Recorded{{32, false}, {32, false}, {4096, false}, {4096, true}}));
