@@ -6,11 +6,10 @@ from typing import Any
 
 from markupsafe import Markup
 
-from .backends import Backends
-from .bench import SCALAR, Bench, Row
+from .bench import SCALAR, Backends, Bench, Row
 from .models import Costs, work_over
-from .number import Number
 from .results import Results
+from .text import Number
 
 FRACTALS = ("mandelbulb", "mandelbox")
 FILM_SIZE = (1920, 1080)  # pixels

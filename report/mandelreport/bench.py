@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file of bench: names and units for the part of `bench json` that the report uses."""
+"""A result file of bench: names and units for the part of `bench json` that the report uses; and the backends of all
+results, in the order of their registration."""
 
 from __future__ import annotations
 
 import functools
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +30,9 @@ class Times:
     def inverse(self) -> Times:
         """Returns the inverse of a ratio."""
         return Times(1 / self.median, self.interval and [1 / end for end in self.interval[::-1]], self.count)
+
+    def scaled(self, factor: float) -> Times:
+        return Times(factor * self.median, self.interval and [factor * end for end in self.interval], self.count)
 
     def errors(self) -> tuple[float, float]:
         """Returns the lengths of an error bar downwards and upwards; both are 0 if there is no interval."""
@@ -178,3 +183,38 @@ class Bench:
     def values(self, key: str) -> list[str]:
         """Returns the distinct values of a field among the timed rows, in the file's order."""
         return list(dict.fromkeys(row.data[key] for row in self.rows if row.timed))
+
+
+@dataclass(frozen=True)
+class Backends:
+    """`names`: in the order of text and figures; the index is the backend's series number. The reference, which does
+    not use the kernel, is last. `reference`, `host`: the backends with these roles; the defaults are for a report
+    without results. `facts`: the descriptions of backends, as results have them, by name."""
+
+    names: tuple[str, ...] = ()
+    reference: str = "reference"
+    host: str = "openmp"
+    facts: dict[str, dict[str, Any]] = field(default_factory=dict)
+
+    @staticmethod
+    def of(registered: list[dict[str, Any]], others: Iterable[str] = ()) -> Backends:
+        """`registered`: environment/backends of results; `others`: additional names."""
+        roles = {backend["role"]: backend["name"] for backend in registered if backend.get("role")}
+        reference = roles.get("reference", Backends.reference)
+        names = dict.fromkeys([*(backend["name"] for backend in registered), *others])
+        text = [name for name in names if name != reference]
+        facts = {backend["name"]: backend for backend in registered[::-1] if backend.get("title")}  # it was built
+        return Backends((*text, reference), reference, roles.get("host", Backends.host), facts)
+
+    def title(self, backend: str) -> str:
+        """Returns the model's name for people, as its description in a result has it."""
+        return self.facts.get(backend, {}).get("title", backend)
+
+    def number_of(self, backend: str) -> int:
+        """Returns a backend's series number, the same in every figure."""
+        return self.names.index(backend) if backend in self.names else len(self.names)
+
+    def order(self, labels: Iterable[str]) -> list[str]:
+        """Returns each label once, in the order of the backends. A label starts with its backend; "-scalar" or a
+        device's number may follow."""
+        return sorted(dict.fromkeys(labels), key=lambda label: (self.number_of(label.split()[0].removesuffix("-scalar")), label))

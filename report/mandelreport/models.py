@@ -8,11 +8,9 @@ from typing import Any
 
 from markupsafe import Markup
 
-from .backends import Backends
-from .bench import SAME_WORK, Bench, Row
-from .number import Number
+from .bench import SAME_WORK, Backends, Bench, Row
 from .results import Results
-from .text import where
+from .text import Number, where
 
 
 def one_thread(row: Row) -> bool:

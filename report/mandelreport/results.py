@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds all files below the results folder, and the kind of each JSON file by its content."""
+"""Finds all files below the results folder, each read once, and the kind of each JSON file by its content."""
 
+import json
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -9,15 +10,44 @@ from typing import Any
 
 from markupsafe import Markup
 
-from .backends import Backends
-from .bench import HOST_COMPILERS, Bench, Row
-from .errors import InputError, reading
-from .files import PROGRAMS, Files
-from .number import Number, found
-from .flight import Film, FlightMap, read_audit, read_film, read_map
+from .bench import HOST_COMPILERS, Backends, Bench, Row
+from .blocks import Table
+from .errors import InputError, output_of, reading
+from .flight import Audit, FlightMap, read_audit, read_film, read_map
+from .text import Number, found
 
 RESULTS = Path("results")  # from the source folder
 FLIGHT_STUDY = "flight_seeds.txt"  # the table of make flight-study
+
+
+# The kinds of files from which bench computes figures.
+OF_BENCH = ("mandelmarch-bench", "mandelmarch-bench-random")
+PROGRAMS = Path(__file__).parents[2] / "bin"
+
+
+class Files:
+    """`read`: the content of each file read so far, by the file's path relative to the folder. Files of bench hold facts
+    alone; their content is what `bench json` of the folder `programs` prints, with all figures. If a file cannot be read
+    or parsed, its method raises InputError with one line."""
+
+    def __init__(self, folder: Path, programs: Path = PROGRAMS):
+        self.folder = folder
+        self.bench_program = programs / "bench"
+        self.read: dict[str, Any] = {}
+
+    def json(self, name: str) -> Any:
+        """Returns the content of the file `name`.json."""
+        file = f"{name}.json"
+        if file not in self.read:
+            with reading(file, "JSON"):
+                content = json.loads((self.folder / file).read_bytes())
+            if isinstance(content, dict) and content.get("schema") in OF_BENCH:
+                content = json.loads(output_of(self.bench_program, "json", self.folder / file))
+            self.read[file] = content
+        return self.read[file]
+
+    def bench(self, name: str) -> Bench:
+        return Bench(f"{name}.json", self.folder / f"{name}.json", self.json(name))
 
 
 @dataclass
@@ -28,8 +58,8 @@ class Results:
     files: dict[str, Any] = field(default_factory=dict)
     benches: list[Bench] = field(default_factory=list)
     maps: list[FlightMap] = field(default_factory=list)
-    audits: list[dict[str, Any]] = field(default_factory=list)
-    films: list[Film] = field(default_factory=list)
+    audits: list[Audit] = field(default_factory=list)
+    films: list[Table] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
     lines_of_code: list[dict[str, Any]] = field(default_factory=list)  # the models of tools/lines_of_code.py

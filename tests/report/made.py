@@ -10,8 +10,7 @@ from typing import Any
 
 import made_programs
 
-from mandelreport.files import Files
-from mandelreport.results import RESULTS, Results, read_results
+from mandelreport.results import RESULTS, Files, Results, read_results
 
 ROOT = Path(__file__).parents[2]
 STORED = Files(ROOT / RESULTS, made_programs.TESTED)

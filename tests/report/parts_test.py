@@ -17,13 +17,12 @@ sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 
 import made  # noqa: E402
 import made_programs  # noqa: E402
-from mandelreport.figures import style, sweeps, timings  # noqa: E402
-from mandelreport.backends import Backends  # noqa: E402
-from mandelreport.bench import Bench  # noqa: E402
+from mandelreport import charts  # noqa: E402
+from mandelreport.bench import Backends, Bench  # noqa: E402
 from mandelreport.blocks import Numbers, ref  # noqa: E402
 from mandelreport.errors import write_whole  # noqa: E402
 from mandelreport.pictures import Cache, Key, Studio  # noqa: E402
-from mandelreport.sections import Material, parallel  # noqa: E402
+from mandelreport.sections import Material, speed, sweeps, why  # noqa: E402
 
 
 class PartsTest(unittest.TestCase):
@@ -92,7 +91,7 @@ class PartsTest(unittest.TestCase):
             data = made.sweep("threads", "threads", ["1", "2", "4", "8"])
             data["environment"]["cpu"]["cores_usable"] = cores
             results = made.read(self.folder / f"results{cores}", {"threads.json": data})
-            return parallel.section(Material(results, Studio(self.folder, Cache(self.folder)), self.folder))
+            return sweeps.parallel(Material(results, Studio(self.folder, Cache(self.folder)), self.folder))
 
         self.assertEqual(of(2)["threads"], [])
         self.assertEqual([block.kind for block in of(4)["threads"]], ["figure"])
@@ -104,32 +103,30 @@ class PartsTest(unittest.TestCase):
             {"numerator": name, "denominator": name.replace("double", "float"), "ratio": made.summary(1.25 + k)} for k, (name, *_) in enumerate(pairs)
         ]
         bench = Bench("made", Path("made"), data)
-        figure = timings.double_to_float(bench, Backends.of(bench.environment["backends"], ["vulkan"]))
+        figure = why.double_to_float(bench, Backends.of(bench.environment["backends"], ["vulkan"]))
         for k, (_, mode, backend) in enumerate(pairs):
             self.assertIn(f"mandelbulb, {mode}, {backend}: {1.25 + k:.2f}", figure.alt)
-        self.assertIsNone(timings.double_to_float(Bench("made", Path("made"), made.bench()), Backends()))
+        self.assertIsNone(why.double_to_float(Bench("made", Path("made"), made.bench()), Backends()))
 
     def test_colours_follow_the_registration(self) -> None:
         registered = ["reference", "openmp", "openacc", "opencl", "vulkan"]
-        colours = {"openmp": style.BLUE, "openacc": style.ORANGE, "opencl": style.GREEN, "vulkan": style.RED}
+        colours = {"openmp": charts.BLUE, "openacc": charts.ORANGE, "opencl": charts.GREEN, "vulkan": charts.RED}
 
         def of(names: list[str], **roles: str) -> Backends:
             return Backends.of([{"name": name} | ({"role": roles[name]} if name in roles else {}) for name in names])
 
         def looks(backends: Backends) -> dict[str, str]:
-            return {name: style.look(backends.number_of(name))["facecolor"] for name in backends.names}
+            return {name: charts.line(backends.number_of(name))["color"] for name in backends.names}
 
-        self.assertEqual(looks(of(registered)), colours | {"reference": style.SKY})
+        self.assertEqual(looks(of(registered)), colours | {"reference": charts.SKY})
         # A new backend in the registry gets a new colour; the others keep theirs.
         more = of([*registered, "skeleton"])
-        self.assertEqual(looks(more), colours | {"skeleton": style.SKY, "reference": style.PURPLE})
+        self.assertEqual(looks(more), colours | {"skeleton": charts.SKY, "reference": charts.PURPLE})
         self.assertEqual(more.order(["skeleton", "vulkan 1", "vulkan", "openmp"]), ["openmp", "vulkan", "vulkan 1", "skeleton"])
         # A backend that is not in the registry gets the next number.
         self.assertEqual(of(registered).number_of("skeleton"), len(registered))
-        # Even if there are more series than colours, all series look different, as bars and as lines.
-        many = [f"backend{number}" for number in range(40)]
-        for kind in style.look, style.line:
-            self.assertEqual(len({str(kind(of(many).number_of(name))) for name in many}), 40)
+        # Even if there are more series than colours, all series look different.
+        self.assertEqual(len({str(charts.line(number)) for number in range(40)}), 40)
         # If a result states the roles of backends, the roles decide which backend is the reference and which is the
         # host. The names do not matter.
         renamed = of(["oracle", "cores"], oracle="reference", cores="host")
@@ -141,9 +138,9 @@ class PartsTest(unittest.TestCase):
         data["rows"] += [made.row("mandelbulb", "float", "exact", "skeleton", 0.01)]
         bench = Bench("made", Path("made"), data)
         registered = bench.environment["backends"]
-        figure = timings.over_scalar(bench, Backends.of(registered))
+        figure = speed.over_scalar(bench, Backends.of(registered))
         self.assertIn("skeleton", str(figure.alt))
-        self.assertNotEqual(figure, timings.over_scalar(bench, Backends.of(registered[::-1])))
+        self.assertNotEqual(figure, speed.over_scalar(bench, Backends.of(registered[::-1])))
 
     def test_machines_are_compared_at_one_size(self) -> None:
         def of(machine: str, runs: int, side: int) -> dict[str, object]:
@@ -179,7 +176,7 @@ class PartsTest(unittest.TestCase):
         study = made.sweep("detail", "detail", ["-2", "-3", "-4"])
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # matplotlib warns if a logarithmic axis loses points
-            self.assertIsNotNone(sweeps.sweep(Bench("made", Path("made"), study), "D", "ms", "caption"))
+            self.assertIsNotNone(sweeps.figure_of(Bench("made", Path("made"), study), "D", "ms", "caption"))
 
 
 if __name__ == "__main__":

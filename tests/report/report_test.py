@@ -65,7 +65,7 @@ class ReportTest(unittest.TestCase):
         self.assertLess(len(page), 15 * 2**20)
         self.assertEqual(
             re.findall(r'<section id="(\w+)"', page),
-            ["front", *(name for name, _ in [*MAIN, *APPENDIX])],
+            ["front", *(name for name, *_ in [*MAIN, *APPENDIX])],
         )
         # The page has values from the files: the first row's 0.1 s and its interval, 1.17 degrees, 0.25 s per frame,
         # the revision, a backend.

@@ -3,11 +3,11 @@
 
 from typing import Any
 
-from ..bench import Bench
-from ..blocks import Missing, Table
-from ..figures import timings
+from .. import charts
+from ..bench import SCALAR, Backends, Bench, Times
+from ..blocks import Figure, Missing, Table
 from ..models import label, ranked, with_scalar
-from ..text import digits
+from ..text import digits, ms, where
 from . import Material
 from .tables import quotient_cell, time_cell
 
@@ -44,15 +44,93 @@ def _elsewhere(material: Material, fractal: str, precision: str, mode: str) -> s
     return quotient_cell(found[1], "over_scalar").replace(" [", " * [") if found else "–"
 
 
-def section(material: Material) -> dict[str, Any]:
+def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
+    """Shows the time of every backend divided by the scalar kernel's time, fastest first, in a panel for each fractal
+    and mode."""
+    rows = with_scalar(bench, backends.reference)
+    if not any(row.sweep_value == SCALAR for row in rows):
+        return None
+    modes, fractals = bench.values("mode"), bench.values("fractal")
+    dots = [
+        charts.Dot(
+            f"{row.fractal}, {row.mode}",
+            label(row),
+            Times(1 if row.sweep_value == SCALAR else row.figures["over_scalar"], row.figures["over_scalar_interval"]).inverse(),
+            backends.number_of(row.backend),
+            int(row.precision == "float"),
+            f"{row.fractal}, {row.precision}, {row.mode}, {label(row)}",
+            filled=row.precision == "double",
+        )
+        for row in sorted(rows, key=lambda row: (modes.index(row.mode), fractals.index(row.fractal)))
+    ]
+    title = "time / time of the scalar kernel, logarithmic"
+    return charts.block(
+        charts.dots(dots, ranked(rows), title, columns=len(fractals), base=10),
+        "Points with intervals: time over the scalar kernel's. " + charts.values_of(dots),
+        "Wall time of one picture over that of the same kernel as plain scalar C++ (the line at 1), with 95 % intervals, fastest backend "
+        "first. Filled marks: double; open marks: float. The scalar kernel runs on as many threads as the processor has, backends marked "
+        "(1 thread) on one; with two threads, twice the time is then the same speed per thread.",
+    )
+
+
+def _share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
+    """Shows counted operations per second as a share of the platform's measured multiply-add peak."""
+    rows = [row for row in bench.rows if row.timed and row.figures["share_of_peak"] is not None]
+    kinds = list(dict.fromkeys((row.precision, row.mode) for row in rows))
+    dots = [
+        charts.Dot(
+            row.fractal,
+            label(row),
+            Times(100 * row.figures["share_of_peak"], None),
+            backends.number_of(row.backend),
+            kinds.index((row.precision, row.mode)),
+            f"{row.fractal}, {label(row)}, {row.precision}, {row.mode}",
+            filled=row.precision == "double",
+            marker=charts.MARKS[row.mode],
+        )
+        for row in rows
+    ]
+    return None if not dots else charts.block(
+        charts.dots(dots, backends.order(map(label, rows)), "share of the peak [%]", even=False),
+        "Points: the share of the measured peak in percent. " + charts.values_of(dots),
+        "Counted operations per second as a share of the platform's measured multiply-add peak, the flat roof of a roofline "
+        "plot. The march reads no memory, so the slanted roof (memory bandwidth) does not apply. Filled marks: double; open marks: float; "
+        "squares: fast mode.",
+    )
+
+
+def _machines(benches: list[Bench]) -> Figure | None:
+    """Shows the speed of each machine's fastest backend, for each fractal, precision and mode."""
+    if len(benches) < 2:
+        return None
+    dots = [
+        charts.Dot(
+            "",
+            ", ".join(row.kind),
+            Times(row.figures["pixels_per_second"] / 1e6, None),
+            number,
+            number,
+            f"{bench.machine}: {' '.join(row.kind)}: {where(row)}, {ms(row.kernel.median)} ms",
+            bench.machine,
+        )
+        for number, bench in enumerate(benches)
+        for row in bench.fastest()
+    ]
+    figure = charts.dots(dots, list(dict.fromkeys(dot.name for dot in dots)), "Mpixel/s, fastest backend", even=False)
+    said = "; ".join(dot.said for dot in dots)
+    about = "All machines: pixels per second of the fastest backend."
+    return charts.block(figure, f"Points: the fastest backend's rate on each machine. {said}.", about)
+
+
+def speed(material: Material) -> dict[str, Any]:
     bench = material.answers.primary
     if bench is None:
         return {"missing": Missing("The timings", "make bench")}
     backends = material.backends
     blocks = [
         _table(material, bench),
-        timings.over_scalar(bench, backends),
-        timings.share_of_peak(bench, backends),
-        timings.machines(material.results.machines()),
+        over_scalar(bench, backends),
+        _share_of_peak(bench, backends),
+        _machines(material.results.machines()),
     ]
     return {"blocks": [block for block in blocks if block], "warnings": bench.data["warnings"], "name": bench.name}

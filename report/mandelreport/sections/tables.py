@@ -4,10 +4,10 @@
 import json
 from typing import Any
 
-from ..bench import Bench, Row
-from ..blocks import Missing, Table, data_uri
+from .. import charts
+from ..bench import Backends, Bench, Row
+from ..blocks import Figure, Missing, Table, data_uri
 from ..errors import output_of
-from ..figures import portability
 from ..models import label
 from ..text import digits, ms, percent, with_interval
 from . import Material
@@ -140,7 +140,46 @@ def lines_of_code(models: list[dict[str, Any]]) -> Table:
     return Table(["backend", "own lines", "of core/models", "of core/kernel"], rows, "Lines of code that each backend needs.", [1, 2, 3])
 
 
-def section(material: Material) -> dict[str, Any]:
+def _cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
+    """Shows a panel for each fractal and mode, with a line for each backend and precision. The line's value at n is the
+    metric over the n platforms on which the efficiency is highest. Dashes show the efficiency on each platform."""
+    if not entries:
+        return None
+    fractals = list(dict.fromkeys(e["fractal"] for e in entries))
+    modes = list(dict.fromkeys(e["mode"] for e in entries))
+    platforms = max(len(e["cascade"]) for e in entries)
+    figure, axes = charts.panels(len(modes), len(fractals), 8, 2.5 * len(modes), sharex=True, sharey=True)
+    said = []
+    for i, mode in enumerate(modes):
+        for j, fractal in enumerate(fractals):
+            axis = axes[i][j]
+            here = [e for e in entries if e["fractal"] == fractal and e["mode"] == mode]
+            for entry in here:
+                look = charts.line(backends.number_of(entry["application"]))
+                x = [k + 1 + (0.04 if entry["precision"] == "float" else -0.04) for k in range(len(entry["cascade"]))]
+                fill = "full" if entry["precision"] == "double" else "none"
+                name = f"{entry['application']} {entry['precision']}"
+                axis.plot(x, [step["portability"] for step in entry["cascade"]], fillstyle=fill, label=name, **look)
+                axis.plot(
+                    x, [step["efficiency"] for step in entry["cascade"]], marker="_", linestyle="", color=look["color"]
+                )
+                said.append(f"{fractal} {mode} {name}: {digits(entry['by_application_efficiency'])}")
+            axis.set(title=f"{fractal}, {mode}", ylim=(0, 1.05), xlim=(0.5, platforms + 0.5))
+            axis.set_xticks(range(1, platforms + 1))
+            if j == 0:
+                axis.set_ylabel("efficiency")
+            if i == len(modes) - 1:
+                axis.set_xlabel("platforms, best first")
+    charts.legend(figure, axes[0][0])
+    return charts.block(
+        figure,
+        "Cascade of Pennycook's metric by application efficiency. " + "; ".join(said) + ".",
+        "Cascade: the metric over the first 1, 2, ... platforms in order of decreasing efficiency (marks and lines), and the "
+        "efficiency on each platform (dashes). Filled marks: double; open marks: float.",
+    )
+
+
+def tables(material: Material) -> dict[str, Any]:
     entries = _portability(material)
     metric = [entry for entry in entries if not entry["not_measured"]]
     not_measured = {entry["application"]: entry["not_measured"] for entry in entries if entry["not_measured"]}
@@ -158,6 +197,6 @@ def section(material: Material) -> dict[str, Any]:
         "reasons": _reasons(material),
         "missing": Missing("The timings", "make bench"),
         "portability": _portability_table(metric, not_measured),
-        "cascade": portability.cascade(metric, material.backends),
+        "cascade": _cascade(metric, material.backends),
         "lines_of_code": lines_of_code(material.results.lines_of_code) if material.results.lines_of_code else None,
     }

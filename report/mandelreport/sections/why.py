@@ -1,16 +1,74 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mandelbox compared with Mandelbulb, and the cost of double."""
 
+import math
+from dataclasses import dataclass
 from typing import Any
 
-from ..bench import Bench
+from .. import charts
+from ..bench import Backends, Bench, Times
 from ..blocks import Figure, Missing, Table, seen
-from ..figures import timings
-from ..figures.why import Factors, comparison, factors
+from ..models import label
 from ..text import digits, ms, percent
 from . import Material
 
+NAMES = ("DE evaluations per pixel", "iterations per DE evaluation", "operations per iteration", "idle lanes (sample)", "all four", "measured time")
 FRACTALS = ("mandelbox", "mandelbulb")
+
+
+@dataclass(frozen=True)
+class Factors:
+    """The factors of a picture's operations per pixel: DE evaluations per pixel, iterations per evaluation, operations
+    per iteration. DE evaluations and iterations are counted over all pixels. Operations per iteration and active lanes
+    are counted in a sample of the pixels."""
+
+    fractal: str
+    precision: str
+    view: str
+    calls: float  # DE evaluations per pixel
+    iterations: float  # per DE evaluation
+    operations: float  # per iteration
+    active: float  # fraction of lanes active in DE iterations
+    active_steps: float
+    lanes: int
+    sample: int  # pixels
+    sampled_calls: float  # per pixel of the sample
+    kernel: float | None  # seconds per picture
+    share_of_peak: float | None
+
+    @property
+    def per_pixel(self) -> float:
+        return self.calls * self.iterations * self.operations
+
+
+def factors(bench: Bench, backend: str) -> list[Factors]:
+    """Returns the factors of every scene of the study box-vs-bulb that `backend` rendered, in the order of its rows."""
+    found = []
+    rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows if row.backend == backend}
+    for count in bench.data["counts"]:
+        view = count["setting"]["view"]
+        row = rows.get((count["fractal"], count["precision"], view))
+        if row is None or not row.work["iterations"]:
+            continue
+        found.append(
+            Factors(
+                count["fractal"],
+                count["precision"],
+                view,
+                row.work["de_calls"] / math.prod(row.size),
+                row.work["iterations"] / row.work["de_calls"],
+                row.operations / row.work["iterations"],
+                count["lane_use"][0]["together"]["in_iterations"],
+                count["lane_use"][0]["together"]["in_steps"],
+                count["lane_use"][0]["lanes"],
+                count["pixels"],
+                count["work"]["de_calls"] / count["pixels"],
+                row.kernel.median if row.timed else None,
+                row.figures["share_of_peak"] if row.timed else None,
+            )
+        )
+    order = {key: number for number, key in enumerate(rows)}
+    return sorted(found, key=lambda f: order.get((f.fractal, f.precision, f.view), 999))
 
 
 def factor_table(material: Material) -> Table | None:
@@ -63,6 +121,46 @@ def factor_table(material: Material) -> Table | None:
     )
 
 
+def _comparison(pairs: list[tuple[Factors, Factors]]) -> Figure:
+    """Shows each factor of the Mandelbox divided by the Mandelbulb's, with a mark for each scene."""
+    dots = []
+    for number, (box, bulb) in enumerate(pairs):
+        parts = [box.calls / bulb.calls, box.iterations / bulb.iterations, box.operations / bulb.operations, bulb.active / box.active]
+        values = [*parts, math.prod(parts), *([box.kernel / bulb.kernel] if box.kernel and bulb.kernel else [])]
+        dots += [charts.Dot("", name, Times(value, None), number, number, f"{box.view}, {name}", box.view) for name, value in zip(NAMES, values)]
+    return charts.block(
+        charts.dots(dots, NAMES, "Mandelbox / Mandelbulb, logarithmic", base=2),
+        "Points on a logarithmic scale, Mandelbox over Mandelbulb. " + charts.values_of(dots),
+        "Mandelbox over Mandelbulb, factor by factor and scene by scene (in double; above 1: the Mandelbox does more). Idle lanes: the "
+        "Mandelbulb's fraction of active lanes over the Mandelbox's. DE evaluations and iterations are counted over all pixels, operations and "
+        f"lanes in a sample of {pairs[0][0].sample:,} pixels of each picture. The fifth line is the product of the first four.",
+    )
+
+
+def double_to_float(bench: Bench, backends: Backends) -> Figure | None:
+    """Shows the kernel time in double divided by that in float, with a line for each backend and a panel for each
+    fractal."""
+    dots = [
+        charts.Dot(
+            row.fractal,
+            label(row),
+            Times.of(ratio["ratio"]),
+            backends.number_of(row.backend),
+            int(row.mode == "fast"),
+            f"{row.fractal}, {row.mode}, {label(row)}",
+            filled=row.mode == "exact",
+        )
+        for ratio in bench.ratios("double_to_float")
+        for row in [bench.named(ratio["numerator"])]
+    ]
+    return None if not dots else charts.block(
+        charts.dots(dots, backends.order(dot.name for dot in dots), "time in double / time in float"),
+        "Points with intervals: time in double over that in float. " + charts.values_of(dots),
+        f"Kernel time in double over that in float, round by round, with 95 % intervals ({bench.name}). Filled marks: exact mode; open marks: "
+        "fast mode.",
+    )
+
+
 def _study(material: Material, bench: Bench) -> Figure | None:
     found = factors(bench, material.backends.host)
     views: dict[str, dict[str, Factors]] = {}
@@ -70,8 +168,7 @@ def _study(material: Material, bench: Bench) -> Figure | None:
         if f.precision == "double":
             views.setdefault(f.view, {})[f.fractal] = f
     pairs = [(of["mandelbox"], of["mandelbulb"]) for of in views.values() if set(FRACTALS) <= set(of)]
-    figure = comparison(pairs)
-    return figure and seen(figure, _see(pairs))
+    return seen(_comparison(pairs), _see(pairs)) if pairs else None
 
 
 def _see(pairs: list[tuple[Factors, Factors]]) -> str:
@@ -85,9 +182,9 @@ def _see(pairs: list[tuple[Factors, Factors]]) -> str:
     )
 
 
-def section(material: Material) -> dict[str, Any]:
+def why(material: Material) -> dict[str, Any]:
     primary, backends = material.answers.primary, material.backends
-    figure = primary and timings.double_to_float(primary, backends)
+    figure = primary and double_to_float(primary, backends)
     studies = material.results.study("box-vs-bulb")
     # Takes the study with the most backends and, of several such studies, the one with the most rows.
     first = max(studies, key=lambda bench: (len(bench.values("backend")), len(bench.rows)), default=None)
