@@ -62,7 +62,6 @@ class Results:
     films: list[Table] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
-    lines_of_code: list[dict[str, Any]] = field(default_factory=list)  # the models of tools/lines_of_code.py
     flight_studies: list[str] = field(default_factory=list)
 
     def study(self, name: str) -> list[Bench]:
@@ -148,8 +147,6 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
             results.benches.append(files.bench(stem))
         elif kind.get("schema") == "mandelmarch-bench-random":
             results.random.append(data)
-        elif kind.get("schema") == "mandelmarch-lines-of-code":
-            results.lines_of_code = data["models"]
         elif kind.get("format") == "mandelmarch flight map 1":
             results.maps.append(read_map(name, data))
         elif kind.get("schema") == "mandelmarch-film":

@@ -84,7 +84,7 @@ class Page:
         self.results, self.material = results, Material(results, Studio(none, Cache(none)), none)
         self.benches = {bench.name: bench for bench in results.benches}
         self.front = front.section(self.material)
-        self.random, self.lines_of_code = pictures.random_errors(results.random), tables.lines_of_code(results.lines_of_code)
+        self.random = pictures.random_errors(results.random)
 
     def bench(self, name: str) -> Bench:
         return self.benches[f"{name}.json"]

@@ -204,5 +204,4 @@ def everything() -> dict[str, Any]:
         "map.json": flight_map(),
         "flight.json": audit(),
         "film.json": film(),
-        "lines_of_code.json": stored("lines_of_code.json"),
     }

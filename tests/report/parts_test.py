@@ -22,7 +22,7 @@ from mandelreport.bench import Backends, Bench  # noqa: E402
 from mandelreport.blocks import Numbers, ref  # noqa: E402
 from mandelreport.errors import write_whole  # noqa: E402
 from mandelreport.pictures import Cache, Key, Studio  # noqa: E402
-from mandelreport.sections import Material, speed, sweeps, why  # noqa: E402
+from mandelreport.sections import Material, speed, sweeps, tables, why  # noqa: E402
 
 
 class PartsTest(unittest.TestCase):
@@ -70,6 +70,16 @@ class PartsTest(unittest.TestCase):
         with self.assertRaisesRegex(OSError, "^/dev/full: No space left on device$"):
             write_whole(Path("/dev/full"), b"text")
         self.assertEqual(list(self.folder.glob(".*")), [])
+
+    def test_blank_lines_and_comments_are_not_code(self) -> None:
+        for text, lines in (
+            ("\n  // b\nint c; // d\n", 1),
+            ("/* a\nint b;\n*/ int c;\n", 1),
+            ('f("// no comment");\n"/*" + a;\nb;', 3),
+            ('"\\"/*";\na;\n', 2),
+            ("/* no end\nb;", 0),
+        ):
+            self.assertEqual(tables.code_lines(text), lines, text)
 
     def test_pictures_are_of_the_devices_that_are_here(self) -> None:
         programs = made_programs.programs(self.folder / "bin")

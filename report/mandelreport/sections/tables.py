@@ -2,6 +2,7 @@
 """Tables of the primary study and of performance portability. All results of the standard study are in a CSV file."""
 
 import json
+import re
 from typing import Any
 
 from .. import charts
@@ -9,9 +10,13 @@ from ..bench import Backends, Bench, Row
 from ..blocks import Figure, Missing, Table, data_uri
 from ..errors import output_of
 from ..models import label
+from ..pictures import ROOT
 from ..text import digits, ms, percent, with_interval
 from . import Material
 from .why import factor_table
+
+STRING_OR_COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"?|//[^\n]*|/\*.*?(?:\*/|\Z)', re.S)
+SOURCES = {".h", ".cpp", ".cl", ".comp", ".cu", ".in"}
 
 
 def time_cell(row: Row | None) -> str:
@@ -135,9 +140,23 @@ def _simd_widths(material: Material) -> Table | None:
     return Table(headers, rows, "Speed-up of packs over the scalar kernel on the same threads.", [4, 5, 6]) if rows else None
 
 
-def lines_of_code(models: list[dict[str, Any]]) -> Table:
-    rows = [[str(m[key]) for key in ("backend", "lines", "lines_of_job", "lines_of_kernel")] for m in models]
-    return Table(["backend", "own lines", "of core/models", "of core/kernel"], rows, "Lines of code that each backend needs.", [1, 2, 3])
+def code_lines(text: str) -> int:
+    """Returns the number of lines of a C or C++ source that are neither blank nor comments."""
+    code = STRING_OR_COMMENT.sub(lambda found: found[0] if found[0][0] == '"' else "\n" * found[0].count("\n"), text)
+    return sum(bool(line.strip()) for line in code.split("\n"))
+
+
+def _lines_of_code(backends: Backends) -> Table:
+    """Counts the lines of the source folder in which the report is made."""
+
+    def count(folder: str) -> str:
+        files = (path for path in (ROOT / folder).rglob("*") if path.suffix in SOURCES)
+        return str(sum(code_lines(path.read_text(encoding="utf-8", errors="replace")) for path in files))
+
+    folders = [f"backends/{name}" for name in backends.names if (ROOT / "backends" / name).is_dir()]
+    rows = [[folder, count(folder)] for folder in [*folders, "core/models", "core/kernel"]]
+    caption = "Lines of code of each backend's folder, of the common part of models that run the scalar kernel in a loop, and of the kernel source."
+    return Table(["folder", "lines"], rows, caption, [1])
 
 
 def _cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
@@ -198,5 +217,5 @@ def tables(material: Material) -> dict[str, Any]:
         "missing": Missing("The timings", "make bench"),
         "portability": _portability_table(metric, not_measured),
         "cascade": _cascade(metric, material.backends),
-        "lines_of_code": lines_of_code(material.results.lines_of_code) if material.results.lines_of_code else None,
+        "lines_of_code": _lines_of_code(material.backends),
     }
