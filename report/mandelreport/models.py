@@ -8,25 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from .bench import SAME_WORK, Backends, Bench, Row
-from .results import Results
-from .text import Number, where
-
-
-def one_thread(row: Row) -> bool:
-    """Returns true if the row's backend runs on one thread of the host and leaves its other cores idle."""
-    return row.threads == 1 and not row.is_gpu
-
-
-def label(row: Row) -> str:
-    """Returns the name of a standard study's row in tables and charts."""
-    return f"{where(row)}{row.application.removeprefix(row.backend)}{' (1 thread)' if one_thread(row) else ''}"
-
-
-def work_over(bench: Bench, name: str, over: str) -> Markup:
-    """Returns a row's counted operations divided by those of the row `over`."""
-    above, below = (Number.of_row(bench, bench.named(of), "/operations") for of in (name, over))
-    return (above / below).html()
+from .bench import SAME_WORK, Backends, Bench, Row, count
 
 
 def with_scalar(bench: Bench, reference: str) -> list[Row]:
@@ -42,7 +24,7 @@ def ranked(rows: list[Row]) -> list[str]:
         best[row.kind] = min(best.get(row.kind, math.inf), row.kernel.median)
     logs: dict[str, list[float]] = {}
     for row in rows:
-        logs.setdefault(label(row), []).append(math.log(row.kernel.median / best[row.kind]))
+        logs.setdefault(row.label, []).append(math.log(row.kernel.median / best[row.kind]))
     return sorted(logs, key=lambda name: statistics.mean(logs[name]))
 
 
@@ -58,37 +40,37 @@ class Costs:
             # A driver's compiler may vectorise the kernel, on a number of threads of its own.
             if row.is_gpu or row.simd_width != 1 or row.backend == self.host or row.backend not in bench.in_cpp:
                 continue
-            work = bench.work_over_scalar(row, self.host) if row.timed else None
+            work = row.work_over_scalar(self.host) if row.timed else None
             if work is None or abs(work - 1) > SAME_WORK:
                 continue
-            scalar = bench.scalar(row, self.host)
+            scalar = row.scalar(self.host)
             if scalar is not None and row.figures["over_scalar"] is not None:
                 threads = scalar.threads / row.threads
                 self.speeds.setdefault(row.backend, []).append((threads * row.figures["over_scalar"], threads, row))
 
-    def _end(self, results: Results, pick: Callable[..., Any], speeds: list[tuple[float, float, Row]]) -> Markup:
+    def _end(self, pick: Callable[..., Any], speeds: list[tuple[float, float, Row]]) -> Markup:
         _, threads, row = pick(speeds, key=lambda one: one[0])
-        at = self.bench.at(row, "/figures/over_scalar")
-        return results.with_interval(self.bench.name, at, f"{at}_interval", scale=threads)
+        at = f"{row.at}/figures/over_scalar"
+        return self.bench.with_interval(at, f"{at}_interval", threads)
 
-    def answer(self, results: Results) -> dict[str, Any] | None:
+    def answer(self) -> dict[str, Any] | None:
         """Returns the slowest and the fastest case of each model. Models that run on as many threads as the scalar
         kernel come before models that run on one thread."""
         groups: dict[str, list[dict[str, Any]]] = {}
         for backend, speeds in sorted(self.speeds.items(), key=lambda item: item[1][0][1]):
             words = "on one thread, speed per thread" if speeds[0][1] > 1 else "On as many threads"
-            ends = {"least": self._end(results, min, speeds), "most": self._end(results, max, speeds)}
+            ends = {"least": self._end(min, speeds), "most": self._end(max, speeds)}
             groups.setdefault(words, []).append({"backend": backend, **ends})
         if not groups:
             return None
         every = [one for speeds in self.speeds.values() for one in speeds]
-        cases = [f"{self.bench.name}#{self.bench.at(row)}" for row in self.bench.timed(backend=next(iter(self.speeds)), sweep_value="")]
+        cases = self.bench.timed(backend=next(iter(self.speeds)), sweep_value="")
         return {
             "groups": list(groups.items()),
             "backends": [model["backend"] for models in groups.values() for model in models],
-            "least": self._end(results, min, every),
-            "most": self._end(results, max, every),
+            "least": self._end(min, every),
+            "most": self._end(max, every),
             "cheap": min(speed for speed, *_ in every) > 0.8,
-            "cases": Number.count(cases).html("whole"),
+            "cases": count(cases),
             "size": self.bench.size,
         }

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Combines sections and templates into one HTML page."""
 
-from typing import Any
-
 from . import viewer
 from .blocks import Numbers, ref
 from .sections import Material, environments, flight, front, pictures, speed, sweeps, tables, why

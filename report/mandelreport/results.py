@@ -8,13 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from markupsafe import Markup
-
 from .bench import HOST_COMPILERS, Backends, Bench, Row
 from .blocks import Table
 from .errors import InputError, output_of, reading
 from .flight import Audit, FlightMap, read_audit, read_film, read_map
-from .text import Number, found
+from .text import Number
 
 RESULTS = Path("results")  # from the source folder
 FLIGHT_STUDY = "flight_seeds.txt"  # the table of make flight-study
@@ -108,35 +106,23 @@ class Results:
     def gpu_measured(self) -> bool:
         return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
 
-    def timed(self, studies: Iterable[str], **wanted: Any) -> list[tuple[Bench, Row]]:
+    def timed(self, studies: Iterable[str], **wanted: Any) -> list[Row]:
         """Returns the timed rows with the given field values in these studies."""
-        return [(bench, row) for bench in self.benches if bench.study in studies for row in bench.timed(**wanted)]
+        return [row for bench in self.benches if bench.study in studies for row in bench.timed(**wanted)]
 
-    def of_size(self, size: tuple[int, int], **wanted: str) -> tuple[Bench, Row] | None:
+    def of_size(self, size: tuple[int, int], **wanted: str) -> Row | None:
         """Returns the row with this picture size and the given field values from the standard study or the study of
         resolutions that has the most runs."""
-        rows = [one for one in self.timed(("standard", "resolution"), **wanted) if one[1].size == size]
-        return max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count), default=None)
+        rows = [row for row in self.timed(("standard", "resolution"), **wanted) if row.size == size]
+        return max(rows, key=lambda row: (row.bench.data["runs"], row.kernel.count), default=None)
 
-    def fastest_gpu(self, size: tuple[int, int], **wanted: str) -> tuple[Bench, Row] | None:
+    def fastest_gpu(self, size: tuple[int, int], **wanted: str) -> Row | None:
         """Returns the fastest row of a GPU with this picture size and the given field values in the standard study."""
-        rows = [one for one in self.timed(("standard",), is_gpu=True, **wanted) if one[1].size == size]
-        return min(rows, key=lambda one: one[1].kernel.median, default=None)
+        rows = [row for row in self.timed(("standard",), is_gpu=True, **wanted) if row.size == size]
+        return min(rows, key=lambda row: row.kernel.median, default=None)
 
     def number(self, file: str, pointer: str) -> Number:
         return Number.at(file, self.files[file], pointer)
-
-    def with_interval(self, file: str, value: str, interval: str, scale: float = 1) -> Markup:
-        """Formats a number with its interval in brackets or, if there are too few samples for one, with a note."""
-        number = (scale * self.number(file, value)).html()
-        if found(self.files[file], interval) is None:
-            return number + Markup(" [too few samples for an interval]")
-        low, high = ((scale * self.number(file, f"{interval}/{end}")).html() for end in (0, 1))
-        return number + Markup(" <span class=\"interval\">[") + low + ", " + high + Markup("]</span>")
-
-    def times(self, file: str, summary: str, scale: float = 1) -> Markup:
-        """Formats a summary of bench: its median and interval."""
-        return self.with_interval(file, f"{summary}/median", f"{summary}/interval", scale)
 
 
 def _add_json(results: Results, files: Files, stem: str) -> None:

@@ -13,7 +13,6 @@ from typing import Any
 
 from markupsafe import Markup
 
-from .bench import Bench, Row
 from .errors import InputError
 
 
@@ -46,11 +45,6 @@ def ms(seconds: float) -> str:
 
 def percent(share: float | None, decimals: int = 1) -> str:
     return "–" if share is None else f"{100 * share:.{decimals}f} %"
-
-
-def where(row: Row) -> str:
-    """Returns the name of a row's backend, followed by the device's index if that is not 0."""
-    return row.backend if row.device == 0 else f"{row.backend} {row.device}"
 
 
 def join(words: list[str]) -> str:
@@ -86,11 +80,6 @@ class Number:
         if not isinstance(value, (int, float)):
             raise InputError(f"{file}: {pointer} is {value}, expected a number")
         return Number(value, f"{file}#{pointer}")
-
-    @staticmethod
-    def of_row(bench: Bench, row: Row, pointer: str) -> Number:
-        """Returns a number at a pointer within a row of a result."""
-        return Number.at(bench.name, bench.data, bench.at(row, pointer))
 
     @staticmethod
     def count(places: list[str]) -> Number:

@@ -29,7 +29,7 @@ def _ground(flight: FlightMap) -> Figure:
     figure.set_layout_engine("compressed")
     data, hull = flight.data, flight.hull
     balls, gates, passages, path = data["balls"], data["gates"], data["passages"], [data[key] for key in "xyz"]
-    outline = {"fill": False, "linestyle": "--", "linewidth": 0.8}
+    outline: dict[str, Any] = {"fill": False, "linestyle": "--", "linewidth": 0.8}
     # Each map shows a square around the part of the path that is inside the hull. The approach is outside.
     inside = [place for place in zip(*path) if max(map(abs, place)) <= hull] or list(zip(*path))
     ranges = [(min(series), max(series)) for series in zip(*inside)]

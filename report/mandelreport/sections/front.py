@@ -6,7 +6,6 @@ from typing import Any
 from .. import charts
 from ..bench import Backends, Bench, Row
 from ..blocks import Figure, Missing, Table
-from ..models import label
 from ..text import digits, join
 from . import Material
 
@@ -29,18 +28,18 @@ def _times(bench: Bench, backends: Backends) -> Figure:
     dots = [
         charts.Dot(
             row.fractal,
-            label(row),
+            row.label,
             row.kernel.scaled(1e3),
             backends.number_of(row.backend),
             KINDS.index((row.precision, row.mode)),
-            f"{row.fractal}, {label(row)}, {row.precision}, {row.mode}",
+            f"{row.fractal}, {row.label}, {row.precision}, {row.mode}",
             filled=row.precision == "double",
             marker=charts.MARKS[row.mode],
         )
         for row in rows
     ]
     title = "kernel time per picture [ms], logarithmic"
-    figure = charts.dots(dots, backends.order(map(label, rows)), title, columns=1, width=4, base=10, even=False)
+    figure = charts.dots(dots, backends.order((row.label for row in rows)), title, columns=1, width=4, base=10, even=False)
     return charts.block(
         figure,
         "Kernel times in ms as points with intervals. " + charts.values_of(dots),
@@ -49,9 +48,9 @@ def _times(bench: Bench, backends: Backends) -> Figure:
         wide=False,
     )
 
-def _gain(bench: Bench, question: str, row: Row | None) -> list[str]:
+def _gain(question: str, row: Row | None) -> list[str]:
     """Returns the cells of a rung's gain and of its interval."""
-    ratio = bench.compared(question, row) if row else None
+    ratio = row.compared(question) if row else None
     if ratio is None:
         return ["", ""]
     gain = ratio.inverse()
@@ -66,10 +65,10 @@ def _ladder(bench: Bench) -> Table:
         name = value.partition("=")[2]
         line = [RUNGS.get(name, name)]
         for row in (rows.get((fractal, value)) for fractal in fractals):
-            line += [f"{1e3 * row.kernel.median:,.1f}" if row else "–", *_gain(bench, "to_previous_value", row)]
+            line += [f"{1e3 * row.kernel.median:,.1f}" if row else "–", *_gain("to_previous_value", row)]
         lines.append(line)
     last = [rows.get((fractal, values[-1])) for fractal in fractals]
-    lines.append(["all together", *(cell for row in last for cell in ("", *_gain(bench, "to_first_value", row)))])
+    lines.append(["all together", *(cell for row in last for cell in ("", *_gain("to_first_value", row)))])
     headers = ["rung", *(header for fractal in fractals for header in (f"{fractal}, ms", "gain", "interval"))]
     caption = f"Kernel time of {bench.size} pixels, and gain over the rung before ({bench.machine}, {bench.name})."
     return Table(headers, lines, caption, list(range(1, len(headers))))

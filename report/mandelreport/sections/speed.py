@@ -6,8 +6,8 @@ from typing import Any
 from .. import charts
 from ..bench import SCALAR, Backends, Bench, Times
 from ..blocks import Figure, Missing, Table
-from ..models import label, ranked, with_scalar
-from ..text import digits, ms, where
+from ..models import ranked, with_scalar
+from ..text import digits, ms
 from . import Material
 from .tables import quotient_cell, time_cell
 
@@ -18,11 +18,11 @@ def _table(material: Material, bench: Bench) -> Table:
     host, backends = material.backends.host, material.backends
     rows = with_scalar(bench, backends.reference)
     kinds = list(dict.fromkeys(row.kind for row in rows))
-    by = {(*row.kind, label(row)): row for row in rows}
+    by = {(*row.kind, row.label): row for row in rows}
     lines = [[name, *(time_cell(by.get((*kind, name))) for kind in kinds)] for name in ranked(rows)]
     own = [by.get((*kind, host)) for kind in kinds]
     over = [quotient_cell(row, "over_scalar") if row else "–" for row in own]
-    work = [bench.work_over_scalar(row, host) if row else None for row in own]
+    work = [row.work_over_scalar(host) if row else None for row in own]
     lines += [
         [f"{host} over serial", *(quotient_cell(row, "speed_up") if row else "–" for row in own)],
         [f"{host} over scalar", *(_elsewhere(material, *kind) if cell == "–" else cell for cell, kind in zip(over, kinds))],
@@ -41,7 +41,7 @@ def _table(material: Material, bench: Bench) -> Table:
 
 def _elsewhere(material: Material, fractal: str, precision: str, mode: str) -> str:
     found = material.answers.speed_up("over_scalar", fractal, precision, mode)
-    return quotient_cell(found[1], "over_scalar").replace(" [", " * [") if found else "–"
+    return quotient_cell(found, "over_scalar").replace(" [", " * [") if found else "–"
 
 
 def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
@@ -54,11 +54,11 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
     dots = [
         charts.Dot(
             f"{row.fractal}, {row.mode}",
-            label(row),
+            row.label,
             Times(1 if row.sweep_value == SCALAR else row.figures["over_scalar"], row.figures["over_scalar_interval"]).inverse(),
             backends.number_of(row.backend),
             int(row.precision == "float"),
-            f"{row.fractal}, {row.precision}, {row.mode}, {label(row)}",
+            f"{row.fractal}, {row.precision}, {row.mode}, {row.label}",
             filled=row.precision == "double",
         )
         for row in sorted(rows, key=lambda row: (modes.index(row.mode), fractals.index(row.fractal)))
@@ -80,18 +80,18 @@ def _share_of_peak(bench: Bench, backends: Backends) -> Figure | None:
     dots = [
         charts.Dot(
             row.fractal,
-            label(row),
+            row.label,
             Times(100 * row.figures["share_of_peak"], None),
             backends.number_of(row.backend),
             kinds.index((row.precision, row.mode)),
-            f"{row.fractal}, {label(row)}, {row.precision}, {row.mode}",
+            f"{row.fractal}, {row.label}, {row.precision}, {row.mode}",
             filled=row.precision == "double",
             marker=charts.MARKS[row.mode],
         )
         for row in rows
     ]
     return None if not dots else charts.block(
-        charts.dots(dots, backends.order(map(label, rows)), "share of the peak [%]", even=False),
+        charts.dots(dots, backends.order((row.label for row in rows)), "share of the peak [%]", even=False),
         "Points: the share of the measured peak in percent. " + charts.values_of(dots),
         "Counted operations per second as a share of the platform's measured multiply-add peak, the flat roof of a roofline "
         "plot. The march reads no memory, so the slanted roof (memory bandwidth) does not apply. Filled marks: double; open marks: float; "
@@ -110,7 +110,7 @@ def _machines(benches: list[Bench]) -> Figure | None:
             Times(row.figures["pixels_per_second"] / 1e6, None),
             number,
             number,
-            f"{bench.machine}: {' '.join(row.kind)}: {where(row)}, {ms(row.kernel.median)} ms",
+            f"{bench.machine}: {' '.join(row.kind)}: {row.where}, {ms(row.kernel.median)} ms",
             bench.machine,
         )
         for number, bench in enumerate(benches)

@@ -8,7 +8,7 @@ from typing import Any
 from .. import charts
 from ..bench import Bench, Row, Times
 from ..blocks import Block, Figure, Missing, Table
-from ..text import digits, plain, where
+from ..text import digits, plain
 from . import Material
 
 # Arguments of _sweep(): study, title of x, quantity on y, caption.
@@ -50,7 +50,7 @@ def _series(bench: Bench) -> dict[tuple[str, str], list[Row]]:
         if not row.timed:
             continue
         more = [text for text, texts in ((row.precision, precisions), (row.mode, modes)) if len(texts) > 1]
-        lines.setdefault((row.fractal, ", ".join([where(row), *more])), []).append(row)
+        lines.setdefault((row.fractal, ", ".join([row.where, *more])), []).append(row)
     return lines
 
 
@@ -65,7 +65,7 @@ def _label(bench: Bench, row: Row) -> str:
 def _value(bench: Bench, row: Row, y: str) -> Times:
     """`y`: ms, rate (Mpixel/s), or the speed-up over the first value of the setting."""
     if y == "speed-up":
-        compared = bench.compared("to_first_value", row)
+        compared = row.compared("to_first_value")
         return compared.inverse() if compared else Times(1, None)
     times = row.wall if bench.study == "frames" else row.kernel
     return times.scaled(1e3) if y == "ms" else times.inverse().scaled(row.figures["pixels_per_second"] / 1e6 * times.median)
@@ -106,7 +106,7 @@ def _ablation(bench: Bench) -> Figure | None:
     for (fractal, name), rows in _series(bench).items():
         part = names.index(name)
         for row in rows:
-            if row.value != "none" and (found := bench.compared("to_first_value", row)):
+            if row.value != "none" and (found := row.compared("to_first_value")):
                 dots.append(charts.Dot(fractal, row.value, found, part, part, f"{fractal}, {name}, without {row.value}", name))
     if not dots:
         return None

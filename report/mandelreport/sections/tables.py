@@ -9,7 +9,6 @@ from .. import charts
 from ..bench import Backends, Bench, Row
 from ..blocks import Figure, Missing, Table, data_uri
 from ..errors import output_of
-from ..models import label
 from ..pictures import ROOT
 from ..text import digits, ms, percent, with_interval
 from . import Material
@@ -39,20 +38,20 @@ def timings(material: Material, bench: Bench) -> Table:
     host, backends = material.backends.host, material.backends
 
     def work(row: Row) -> str:
-        share = bench.work_over_scalar(row, host)
+        share = row.work_over_scalar(host)
         return "–" if share is None else digits(share)
 
     def place(row: Row) -> list[int]:
-        return [names.index(name) for name, names in zip((*row.kind, label(row)), orders)]
+        return [names.index(name) for name, names in zip((*row.kind, row.label), orders)]
 
     rows = [row for row in bench.all_rows if row.timed]
-    orders = [*(list(dict.fromkeys(row.data[key] for row in rows)) for key in ("fractal", "precision", "mode")), backends.order(map(label, rows))]
+    orders = [*(list(dict.fromkeys(row.data[key] for row in rows)) for key in ("fractal", "precision", "mode")), backends.order((row.label for row in rows))]
     return Table(
         ["fractal", "precision", "mode", "backend", "kernel ms", "over serial", "over scalar", "operations / scalar's", "share of peak", "picture"],
         [
             [
                 *row.kind,
-                label(row),
+                row.label,
                 time_cell(row),
                 quotient_cell(row, "speed_up"),
                 quotient_cell(row, "over_scalar"),

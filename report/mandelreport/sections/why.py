@@ -8,7 +8,6 @@ from typing import Any
 from .. import charts
 from ..bench import Backends, Bench, Times
 from ..blocks import Figure, Missing, Table, seen
-from ..models import label
 from ..text import digits, ms, percent
 from . import Material
 
@@ -143,15 +142,15 @@ def double_to_float(bench: Bench, backends: Backends) -> Figure | None:
     dots = [
         charts.Dot(
             row.fractal,
-            label(row),
-            Times.of(ratio["ratio"]),
+            row.label,
+            ratio.times,
             backends.number_of(row.backend),
             int(row.mode == "fast"),
-            f"{row.fractal}, {row.mode}, {label(row)}",
+            f"{row.fractal}, {row.mode}, {row.label}",
             filled=row.mode == "exact",
         )
         for ratio in bench.ratios("double_to_float")
-        for row in [bench.named(ratio["numerator"])]
+        for row in [bench.named(ratio.numerator)]
     ]
     return None if not dots else charts.block(
         charts.dots(dots, backends.order(dot.name for dot in dots), "time in double / time in float"),
@@ -184,7 +183,7 @@ def _see(pairs: list[tuple[Factors, Factors]]) -> str:
 
 def why(material: Material) -> dict[str, Any]:
     primary, backends = material.answers.primary, material.backends
-    figure = primary and double_to_float(primary, backends)
+    figure = double_to_float(primary, backends) if primary else None
     studies = material.results.study("box-vs-bulb")
     # Takes the study with the most backends and, of several such studies, the one with the most rows.
     first = max(studies, key=lambda bench: (len(bench.values("backend")), len(bench.rows)), default=None)
