@@ -18,10 +18,6 @@ ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "report"
 TOOLS = ("cmake", "glslangValidator", "spirv-cross")
 INPUTS = "(shape, escape, iterations, largest, conservative)"  # inputs of every formula (core/scene/formula.h)
-CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
-# Fields of the scene whose values in the viewer may differ from the programs'. The viewer needs no hull, because the
-# picture is the same without it. The viewer's kernel is in float, which computes no normals from finite differences.
-VIEWERS_OWN = ("hull", "subtile_hull", "spacing", "difference_step")
 FLATTEN = FOLDER / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
 VIEWS = ROOT / "scenes"  # contains the files NAME.FRACTAL.dat
@@ -77,18 +73,6 @@ def environment() -> jinja2.Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-
-
-def differing_fields(mine: dict[str, Any], printed: dict[str, Any], close: float = CLOSE) -> list[str]:
-    """Returns the names of fields whose values in the viewer's scene, `mine`, differ from those that
-    `bin/render --print-scene` printed."""
-
-    def same(a: Any, b: Any) -> bool:
-        if isinstance(a, list):
-            return len(a) == len(b) and all(map(same, a, b))
-        return a == b or (isinstance(a, (int, float)) and abs(a - b) <= close * max(abs(b), 1e-3))
-
-    return [name for name, value in mine.items() if name not in VIEWERS_OWN and not same(value, printed[name])]
 
 
 def raw(name: str) -> Markup:

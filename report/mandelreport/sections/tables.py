@@ -148,12 +148,12 @@ def code_lines(text: str) -> int:
 def _lines_of_code(backends: Backends) -> Table:
     """Counts the lines of the source folder in which the report is made."""
 
-    def count(folder: str) -> str:
+    def count(folder: str) -> int:
         files = (path for path in (ROOT / folder).rglob("*") if path.suffix in SOURCES)
-        return str(sum(code_lines(path.read_text(encoding="utf-8", errors="replace")) for path in files))
+        return sum(code_lines(path.read_text(encoding="utf-8", errors="replace")) for path in files)
 
-    folders = [f"backends/{name}" for name in backends.names if (ROOT / "backends" / name).is_dir()]
-    rows = [[folder, count(folder)] for folder in [*folders, "core/models", "core/kernel"]]
+    folders = [*(f"backends/{name}" for name in backends.names), "core/models", "core/kernel"]
+    rows = [[folder, str(lines)] for folder in folders if (lines := count(folder))]
     caption = "Lines of code of each backend's folder, of the common part of models that run the scalar kernel in a loop, and of the kernel source."
     return Table(["folder", "lines"], rows, caption, [1])
 
