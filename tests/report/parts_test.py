@@ -21,6 +21,7 @@ from mandelreport.bench import Backends, Bench  # noqa: E402
 from mandelreport.blocks import Numbers, ref  # noqa: E402
 from mandelreport.errors import write_whole  # noqa: E402
 from mandelreport.pictures import Cache, Key, Studio  # noqa: E402
+from mandelreport.text import digits  # noqa: E402
 from mandelreport.sections import Material, speed, sweeps, tables, why  # noqa: E402
 
 
@@ -91,7 +92,7 @@ class PartsTest(unittest.TestCase):
 
     def test_threads_of_two_cores_have_no_figure(self) -> None:
         def of(cores: int) -> dict[str, object]:
-            data = made.sweep("threads", "threads", ["1", "2", "4", "8"])
+            data = made.stored("threads.json")
             data["environment"]["cpu"]["cores_usable"] = cores
             results = made.read(self.folder / f"results{cores}", {"threads.json": data})
             return sweeps.parallel(Material(results, Studio(self.folder, Cache(self.folder)), self.folder))
@@ -101,15 +102,14 @@ class PartsTest(unittest.TestCase):
 
     def test_double_over_float_has_every_ratio(self) -> None:
         data = made.bench()
-        pairs = [(f"mandelbulb/double/{mode}/{backend}/0", mode, backend) for mode in ("exact", "fast") for backend in ("openmp", "vulkan")]
-        data["questions"]["double_to_float"] = [
-            {"numerator": name, "denominator": name.replace("double", "float"), "ratio": made.summary(1.25 + k)} for k, (name, *_) in enumerate(pairs)
-        ]
         bench = Bench("made", Path("made"), data)
-        figure = why.double_to_float(bench, Backends.of(bench.environment["backends"], ["vulkan"]))
-        for k, (_, mode, backend) in enumerate(pairs):
-            self.assertIn(f"mandelbulb, {mode}, {backend}: {1.25 + k:.2f}", figure.alt)
-        self.assertIsNone(why.double_to_float(Bench("made", Path("made"), made.bench()), Backends()))
+        backends = Backends.of(bench.environment["backends"])
+        figure = why.double_to_float(bench, backends)
+        for ratio in bench.ratios("double_to_float"):
+            row = bench.named(ratio.numerator)
+            self.assertIn(f"{row.fractal}, {row.mode}, {row.label}: {digits(ratio.times.median)}", figure.alt)
+        data["questions"]["double_to_float"] = []
+        self.assertIsNone(why.double_to_float(bench, backends))
 
     def test_colours_follow_the_registration(self) -> None:
         registered = ["reference", "openmp", "openacc", "opencl", "vulkan"]
@@ -136,9 +136,9 @@ class PartsTest(unittest.TestCase):
         self.assertEqual((renamed.names, renamed.reference, renamed.host), (("cores", "oracle"), "oracle", "cores"))
 
     def test_a_registered_backend_is_in_the_figures(self) -> None:
-        data = made.with_scalar()
+        data = made.bench()
         data["environment"]["backends"] += [{**data["environment"]["backends"][0], "name": "skeleton", "role": ""}]
-        data["rows"] += [made.row("mandelbulb", "float", "exact", "skeleton", 0.01)]
+        data["rows"] += [row | {"backend": "skeleton", "application": "skeleton"} for row in data["rows"][-1:]]
         bench = Bench("made", Path("made"), data)
         registered = bench.environment["backends"]
         figure = speed.over_scalar(bench, Backends.of(registered))
@@ -176,7 +176,7 @@ class PartsTest(unittest.TestCase):
         self.assertEqual(found.primary().name, "a.json")
 
     def test_negative_levels_have_an_axis(self) -> None:
-        study = made.sweep("detail", "detail", ["-2", "-3", "-4"])
+        study = made.stored("detail.json")
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # matplotlib warns if a logarithmic axis loses points
             self.assertIsNotNone(sweeps.figure_of(Bench("made", Path("made"), study), "D", "ms", "caption"))
