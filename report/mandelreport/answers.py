@@ -2,12 +2,12 @@
 """Answers on the front page. Each public method of Answers returns the values for the sentences of one answer, or None
 if there is no data for it."""
 
+from collections.abc import Callable
 from typing import Any
 
 from markupsafe import Markup
 
-from .bench import SCALAR, Backends, Bench, Ratio, Row, count
-from .models import Costs
+from .bench import SAME_WORK, SCALAR, Backends, Bench, Ratio, Row, count
 from .results import Results
 from .text import Number
 
@@ -48,6 +48,55 @@ def verdict(ratio: Ratio) -> Markup:
     if 1 / MARGIN <= low and high <= MARGIN:
         return Markup('the same within <span class="name">{:.0f} %</span>').format(100 * (MARGIN - 1))
     return Markup("it is slower" if low > 1 else "it is faster" if high < 1 else "undecided")
+
+
+class Costs:
+    """The cost of a programming model is its time divided by that of the host's scalar kernel for the same work, per thread.
+    `speeds`: by backend, the rows that do the same work as the scalar kernel without explicit SIMD, with their
+    speeds per thread, relative to the scalar kernel's."""
+
+    def __init__(self, bench: Bench, backends: Backends):
+        self.bench, self.host = bench, backends.host
+        # Each tuple: speed, the scalar kernel's threads divided by the row's, row.
+        self.speeds: dict[str, list[tuple[float, float, Row]]] = {}
+        for row in bench.rows:
+            # A driver's compiler may vectorise the kernel, on a number of threads of its own.
+            if row.is_gpu or row.simd_width != 1 or row.backend == self.host or row.backend not in bench.in_cpp:
+                continue
+            work = row.work_over_scalar(self.host) if row.timed else None
+            if work is None or abs(work - 1) > SAME_WORK:
+                continue
+            scalar = row.scalar(self.host)
+            if scalar is not None and row.figures["over_scalar"] is not None:
+                threads = scalar.threads / row.threads
+                self.speeds.setdefault(row.backend, []).append((threads * row.figures["over_scalar"], threads, row))
+
+    def _end(self, pick: Callable[..., Any], speeds: list[tuple[float, float, Row]]) -> Markup:
+        _, threads, row = pick(speeds, key=lambda one: one[0])
+        at = f"{row.at}/figures/over_scalar"
+        return self.bench.with_interval(at, f"{at}_interval", threads)
+
+    def answer(self) -> dict[str, Any] | None:
+        """Returns the slowest and the fastest case of each model. Models that run on as many threads as the scalar
+        kernel come before models that run on one thread."""
+        groups: dict[str, list[dict[str, Any]]] = {}
+        for backend, speeds in sorted(self.speeds.items(), key=lambda item: item[1][0][1]):
+            words = "on one thread, speed per thread" if speeds[0][1] > 1 else "On as many threads"
+            ends = {"least": self._end(min, speeds), "most": self._end(max, speeds)}
+            groups.setdefault(words, []).append({"backend": backend, **ends})
+        if not groups:
+            return None
+        every = [one for speeds in self.speeds.values() for one in speeds]
+        cases = self.bench.timed(backend=next(iter(self.speeds)), sweep_value="")
+        return {
+            "groups": list(groups.items()),
+            "backends": [model["backend"] for models in groups.values() for model in models],
+            "least": self._end(min, every),
+            "most": self._end(max, every),
+            "cheap": min(speed for speed, *_ in every) > 0.8,
+            "cases": count(cases),
+            "size": self.bench.size,
+        }
 
 
 class Answers:

@@ -117,29 +117,22 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
 
 def page(folder: Path, programs: Path) -> str:
     path = folder / "demo.json"
-    shown = viewer.material(programs / "render", folder / "shaders", "make demo")
-
-    def optional(kind: str, name: str) -> str | None:
-        return data_uri(kind, (folder / name).read_bytes()) if (folder / name).exists() else None
-
     table = read_json(path, expected := f"a table of schema 1 as bin/demo --folder {folder} writes it")
     with reading(path, expected):
         if table["schema"] != 1:
             raise ValueError(f"schema {table['schema']}")
         first = table["rows"][0]["fractal"]
+        answer = answer_of([row for row in table["rows"] if row["fractal"] == first])
+        values = {"table": table, "fractals": fractals_of(folder, table), "absent": absent_of(table["rows"]), "answer": answer}
+
+    def optional(kind: str, name: str) -> str | None:
+        return data_uri(kind, (folder / name).read_bytes()) if (folder / name).exists() else None
+
+    values |= {"still": optional("image/jpeg", "still.jpg"), "film": optional("video/mp4", "film.mp4")}
+    values |= {"s": viewer.material(programs / "render", folder / "shaders", "make demo"), **viewer.assets()}
+    with reading(path, expected):
         try:
-            return viewer.environment().get_template("demo.html.j2").render(
-                table=table,
-                fractals=fractals_of(folder, table),
-                absent=absent_of(table["rows"]),
-                answer=answer_of([row for row in table["rows"] if row["fractal"] == first]),
-                still=optional("image/jpeg", "still.jpg"),
-                film=optional("video/mp4", "film.mp4"),
-                s=shown,
-                style=viewer.raw("templates/style.css"),
-                slider=viewer.raw("templates/slider.js"),
-                viewer=viewer.scripts(),
-            )
+            return viewer.environment().get_template("demo.html.j2").render(values)
         except jinja2.UndefinedError as error:
             raise ValueError(error) from error
 

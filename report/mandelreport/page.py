@@ -1,9 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Combines sections and templates into one HTML page."""
 
+import collections
+
 from . import viewer
-from .blocks import Numbers, ref
-from .sections import Material, environments, flight, front, pictures, speed, sweeps, tables, why
+from .sections import (
+    Material,
+    environments,
+    flight,
+    front,
+    pictures,
+    speed,
+    sweeps,
+    tables,
+    why,
+)
 
 # Sections of the main part: a name, which is that of its macro in sections.html.j2 and its anchor; a title; a function
 # that returns the values for the macro. The front page comes before the sections.
@@ -29,17 +40,20 @@ APPENDIX = [
 
 def render(material: Material) -> str:
     """Returns the whole page. The same results and programs give the same page."""
-    numbers = Numbers()
+    last: collections.Counter[str] = collections.Counter()
+
+    def number(kind: str) -> int:
+        """Returns the number of the next figure or table."""
+        last[kind] += 1
+        return last[kind]
+
     environment = viewer.environment()
-    environment.globals.update(number=numbers.next, ref=ref)
-    page = environment.get_template("page.html.j2").render(
+    environment.globals.update(number=number)
+    return environment.get_template("page.html.j2").render(
         macros="macros.html.j2",
         front=front.section(material),
         main=[(name, title, values(material)) for name, title, values in MAIN],
         appendix=[(name, title, values(material)) for name, title, values in APPENDIX],
         machines=list(dict.fromkeys(bench.machine for bench in material.results.benches)),
-        style=viewer.raw("templates/style.css"),
-        slider=viewer.raw("templates/slider.js"),
-        viewer=viewer.scripts(),
+        **viewer.assets(),
     )
-    return numbers.resolved(page)

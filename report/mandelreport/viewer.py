@@ -75,14 +75,15 @@ def environment() -> jinja2.Environment:
     )
 
 
-def raw(name: str) -> Markup:
+def _raw(name: str) -> Markup:
     """Returns a style sheet or script of the report, unescaped."""
     return Markup((FOLDER / name).read_text(encoding="utf-8"))
 
 
-def scripts() -> Markup:
-    """Returns the viewer's scripts, in their order."""
-    return Markup("\n").join(raw(f"viewer/{name}.js") for name in ("camera", "painter", "viewer"))
+def assets() -> dict[str, Markup]:
+    """Returns the style sheet and the scripts of a page, by their names in templates."""
+    scripts = Markup("\n").join(_raw(f"viewer/{name}.js") for name in ("camera", "painter", "viewer"))
+    return {"style": _raw("templates/style.css"), "slider": _raw("templates/slider.js"), "viewer": scripts}
 
 
 def views(fractals: list[str]) -> list[dict[str, str]]:

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import made_programs
-
 from mandelreport.results import RESULTS, Files, Results, read_results
 
 STORED = Files(Path(__file__).parents[2] / RESULTS, made_programs.TESTED)

@@ -18,11 +18,10 @@ import made  # noqa: E402
 import made_programs  # noqa: E402
 from mandelreport import charts  # noqa: E402
 from mandelreport.bench import Backends, Bench  # noqa: E402
-from mandelreport.blocks import Numbers, ref  # noqa: E402
 from mandelreport.errors import write_whole  # noqa: E402
 from mandelreport.pictures import Cache, Key, Studio  # noqa: E402
-from mandelreport.text import digits  # noqa: E402
 from mandelreport.sections import Material, speed, sweeps, tables, why  # noqa: E402
+from mandelreport.text import digits  # noqa: E402
 
 
 class PartsTest(unittest.TestCase):
@@ -30,15 +29,6 @@ class PartsTest(unittest.TestCase):
         holder = tempfile.TemporaryDirectory()
         self.addCleanup(holder.cleanup)
         self.folder = Path(holder.name)
-
-    def test_references_name_kind_and_number(self) -> None:
-        numbers = Numbers()
-        self.assertEqual([numbers.next("figure"), numbers.next("table", "times"), numbers.next("figure", "map-1")], [1, 1, 2])
-        self.assertEqual(
-            numbers.resolved(f"{ref('map-1')}, {ref('times')}"),
-            '<a class="name" href="#figure-2">Figure 2</a>, <a class="name" href="#table-1">Table 1</a>',
-        )
-        self.assertEqual(numbers.resolved(ref("other")), "a figure or table without data")
 
     def test_files_are_written_as_the_programs_write_them(self) -> None:
         new, kept, link = self.folder / "new", self.folder / "kept", self.folder / "link"

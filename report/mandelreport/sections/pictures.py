@@ -12,7 +12,6 @@ from ..pictures import SCENES, SIDE, Key, Picture, Studio, encoded
 from ..text import join
 from . import Material
 
-
 SHOWN = 400  # pixels
 
 

@@ -1,25 +1,43 @@
 # SPDX-License-Identifier: Apache-2.0
 """The fastest backends of the primary study, compared with both baselines."""
 
+import math
+import statistics
 from typing import Any
 
 from .. import charts
-from ..bench import SCALAR, Backends, Bench, Times
+from ..bench import SCALAR, Backends, Bench, Row, Times
 from ..blocks import Figure, Missing, Table
-from ..models import ranked, with_scalar
 from ..text import digits, ms
 from . import Material
 from .tables import quotient_cell, time_cell
+
+
+def _with_scalar(bench: Bench, reference: str) -> list[Row]:
+    """Returns all timed rows except the reference's. Unlike Bench.rows, includes the scalar kernel's rows."""
+    return [row for row in bench.all_rows if row.timed and row.backend != reference]
+
+
+def _ranked(rows: list[Row]) -> list[str]:
+    """Returns the labels of rows, fastest first. For each fractal, precision and mode, the kernel time is divided by
+    that of the fastest row. The order is that of the geometric mean of these ratios."""
+    best: dict[tuple[str, ...], float] = {}
+    for row in rows:
+        best[row.kind] = min(best.get(row.kind, math.inf), row.kernel.median)
+    logs: dict[str, list[float]] = {}
+    for row in rows:
+        logs.setdefault(row.label, []).append(math.log(row.kernel.median / best[row.kind]))
+    return sorted(logs, key=lambda name: statistics.mean(logs[name]))
 
 
 def _table(material: Material, bench: Bench) -> Table:
     """Returns a table with a line for each backend, fastest first. The last lines compare the host with both
     baselines."""
     host, backends = material.backends.host, material.backends
-    rows = with_scalar(bench, backends.reference)
+    rows = _with_scalar(bench, backends.reference)
     kinds = list(dict.fromkeys(row.kind for row in rows))
     by = {(*row.kind, row.label): row for row in rows}
-    lines = [[name, *(time_cell(by.get((*kind, name))) for kind in kinds)] for name in ranked(rows)]
+    lines = [[name, *(time_cell(by.get((*kind, name))) for kind in kinds)] for name in _ranked(rows)]
     own = [by.get((*kind, host)) for kind in kinds]
     over = [quotient_cell(row, "over_scalar") if row else "–" for row in own]
     work = [row.work_over_scalar(host) if row else None for row in own]
@@ -35,7 +53,6 @@ def _table(material: Material, bench: Bench) -> Table:
         "speed-up over the serial reference in double and exact mode, its speed-up over the scalar kernel on the same threads (*: from "
         "another file, named in Appendix B), and the scalar kernel's counted operations over its own.",
         list(range(1, 1 + len(kinds))),
-        name="times",
     )
 
 
@@ -47,7 +64,7 @@ def _elsewhere(material: Material, fractal: str, precision: str, mode: str) -> s
 def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
     """Shows the time of every backend divided by the scalar kernel's time, fastest first, in a panel for each fractal
     and mode."""
-    rows = with_scalar(bench, backends.reference)
+    rows = _with_scalar(bench, backends.reference)
     if not any(row.sweep_value == SCALAR for row in rows):
         return None
     modes, fractals = bench.values("mode"), bench.values("fractal")
@@ -65,7 +82,7 @@ def over_scalar(bench: Bench, backends: Backends) -> Figure | None:
     ]
     title = "time / time of the scalar kernel, logarithmic"
     return charts.block(
-        charts.dots(dots, ranked(rows), title, columns=len(fractals), base=10),
+        charts.dots(dots, _ranked(rows), title, columns=len(fractals), base=10),
         "Points with intervals: time over the scalar kernel's. " + charts.values_of(dots),
         "Wall time of one picture over that of the same kernel as plain scalar C++ (the line at 1), with 95 % intervals, fastest backend "
         "first. Filled marks: double; open marks: float. The scalar kernel runs on as many threads as the processor has, backends marked "

@@ -116,7 +116,6 @@ def factor_table(material: Material) -> Table | None:
         f"sample of {found[0][1].sample:,} pixels. Sample / picture: DE evaluations per pixel in the sample over those in the complete picture; "
         "if this is far from 1, the sample is not representative.",
         list(range(4, 13)),
-        name="factors",
     )
 
 
