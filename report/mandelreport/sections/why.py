@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .. import charts
-from ..bench import Backends, Bench, Times
+from ..bench import Backends, Bench, Row, Times
 from ..blocks import Figure, Missing, Table, seen
 from ..text import digits, ms, percent
 from . import Material
@@ -17,57 +17,44 @@ FRACTALS = ("mandelbox", "mandelbulb")
 
 @dataclass(frozen=True)
 class Factors:
-    """The factors of a picture's operations per pixel: DE evaluations per pixel, iterations per evaluation, operations
-    per iteration. DE evaluations and iterations are counted over all pixels. Operations per iteration and active lanes
-    are counted in a sample of the pixels."""
+    """The factors of a picture's operations per pixel. DE evaluations and iterations are counted over all pixels,
+    operations per iteration and active lanes in a sample of the pixels, whose counts are `sample`."""
 
-    fractal: str
-    precision: str
-    view: str
+    row: Row
+    sample: dict[str, Any]
     calls: float  # DE evaluations per pixel
     iterations: float  # per DE evaluation
     operations: float  # per iteration
-    active: float  # fraction of lanes active in DE iterations
-    active_steps: float
-    lanes: int
-    sample: int  # pixels
-    sampled_calls: float  # per pixel of the sample
-    kernel: float | None  # seconds per picture
-    share_of_peak: float | None
 
     @property
-    def per_pixel(self) -> float:
-        return self.calls * self.iterations * self.operations
+    def view(self) -> str:
+        return self.row.setting["view"]
+
+    @property
+    def lanes(self) -> dict[str, Any]:
+        return self.sample["lane_use"][0]
+
+    @property
+    def kernel(self) -> float | None:
+        """Returns seconds per picture."""
+        return self.row.kernel.median if self.row.timed else None
 
 
 def factors(bench: Bench, backend: str) -> list[Factors]:
     """Returns the factors of every scene of the study box-vs-bulb that `backend` rendered, in the order of its rows."""
-    found = []
+    samples = {(count["fractal"], count["precision"], count["setting"]["view"]): count for count in bench.data["counts"]}
     rows = {(row.fractal, row.precision, row.setting["view"]): row for row in bench.rows if row.backend == backend}
-    for count in bench.data["counts"]:
-        view = count["setting"]["view"]
-        row = rows.get((count["fractal"], count["precision"], view))
-        if row is None or not row.work["iterations"]:
-            continue
-        found.append(
-            Factors(
-                count["fractal"],
-                count["precision"],
-                view,
-                row.work["de_calls"] / math.prod(row.size),
-                row.work["iterations"] / row.work["de_calls"],
-                row.operations / row.work["iterations"],
-                count["lane_use"][0]["together"]["in_iterations"],
-                count["lane_use"][0]["together"]["in_steps"],
-                count["lane_use"][0]["lanes"],
-                count["pixels"],
-                count["work"]["de_calls"] / count["pixels"],
-                row.kernel.median if row.timed else None,
-                row.figures["share_of_peak"] if row.timed else None,
-            )
+    return [
+        Factors(
+            row,
+            samples[key],
+            row.work["de_calls"] / math.prod(row.size),
+            row.work["iterations"] / row.work["de_calls"],
+            row.operations / row.work["iterations"],
         )
-    order = {key: number for number, key in enumerate(rows)}
-    return sorted(found, key=lambda f: order.get((f.fractal, f.precision, f.view), 999))
+        for key, row in rows.items()
+        if key in samples and row.work["iterations"]
+    ]
 
 
 def factor_table(material: Material) -> Table | None:
@@ -77,18 +64,18 @@ def factor_table(material: Material) -> Table | None:
     rows = [
         [
             name,
-            f.fractal,
+            f.row.fractal,
             f.view,
-            f.precision,
+            f.row.precision,
             digits(f.calls),
             digits(f.iterations),
             digits(f.operations),
-            digits(f.per_pixel, 4),
-            digits(f.sampled_calls / f.calls),
-            percent(f.active_steps, 0),
-            percent(f.active, 0),
+            digits(f.calls * f.iterations * f.operations, 4),
+            digits(f.sample["work"]["de_calls"] / f.sample["pixels"] / f.calls),
+            percent(f.lanes["together"]["in_steps"], 0),
+            percent(f.lanes["together"]["in_iterations"], 0),
             "–" if f.kernel is None else ms(f.kernel),
-            percent(f.share_of_peak),
+            percent(f.row.figures["share_of_peak"] if f.row.timed else None),
         ]
         for name, f in found
     ]
@@ -112,8 +99,8 @@ def factor_table(material: Material) -> Table | None:
         ],
         rows,
         "Cost of a picture of each scene. Evaluations of the distance estimator (DE) and iterations are counted over all pixels; "
-        f"operations per iteration and active lanes (of {found[0][1].lanes} neighbouring pixels that continue until the last one is done) in a "
-        f"sample of {found[0][1].sample:,} pixels. Sample / picture: DE evaluations per pixel in the sample over those in the complete picture; "
+        f"operations per iteration and active lanes (of {found[0][1].lanes['lanes']} neighbouring pixels that continue until the last one is done) in a "
+        f"sample of {found[0][1].sample['pixels']:,} pixels. Sample / picture: DE evaluations per pixel in the sample over those in the complete picture; "
         "if this is far from 1, the sample is not representative.",
         list(range(4, 13)),
     )
@@ -123,7 +110,8 @@ def _comparison(pairs: list[tuple[Factors, Factors]]) -> Figure:
     """Shows each factor of the Mandelbox divided by the Mandelbulb's, with a mark for each scene."""
     dots = []
     for number, (box, bulb) in enumerate(pairs):
-        parts = [box.calls / bulb.calls, box.iterations / bulb.iterations, box.operations / bulb.operations, bulb.active / box.active]
+        active = [f.lanes["together"]["in_iterations"] for f in (bulb, box)]
+        parts = [box.calls / bulb.calls, box.iterations / bulb.iterations, box.operations / bulb.operations, active[0] / active[1]]
         values = [*parts, math.prod(parts), *([box.kernel / bulb.kernel] if box.kernel and bulb.kernel else [])]
         dots += [charts.Dot("", name, Times(value, None), number, number, f"{box.view}, {name}", box.view) for name, value in zip(NAMES, values)]
     return charts.block(
@@ -131,7 +119,7 @@ def _comparison(pairs: list[tuple[Factors, Factors]]) -> Figure:
         "Points on a logarithmic scale, Mandelbox over Mandelbulb. " + charts.values_of(dots),
         "Mandelbox over Mandelbulb, factor by factor and scene by scene (in double; above 1: the Mandelbox does more). Idle lanes: the "
         "Mandelbulb's fraction of active lanes over the Mandelbox's. DE evaluations and iterations are counted over all pixels, operations and "
-        f"lanes in a sample of {pairs[0][0].sample:,} pixels of each picture. The fifth line is the product of the first four.",
+        f"lanes in a sample of {pairs[0][0].sample['pixels']:,} pixels of each picture. The fifth line is the product of the first four.",
     )
 
 
@@ -163,8 +151,8 @@ def _study(material: Material, bench: Bench) -> Figure | None:
     found = factors(bench, material.backends.host)
     views: dict[str, dict[str, Factors]] = {}
     for f in found:
-        if f.precision == "double":
-            views.setdefault(f.view, {})[f.fractal] = f
+        if f.row.precision == "double":
+            views.setdefault(f.view, {})[f.row.fractal] = f
     pairs = [(of["mandelbox"], of["mandelbulb"]) for of in views.values() if set(FRACTALS) <= set(of)]
     return seen(_comparison(pairs), _see(pairs)) if pairs else None
 
