@@ -79,7 +79,7 @@ bundle: ## a folder and a .tar.xz that run without installation: build/bundle (4
 RUNS ?= 3
 bench: build ## the standard study in three processes, one after the other: results/bench.json (8 min)
 	@mkdir -p results
-	@bin/bench --backend all --runs $(RUNS) --json results/bench.json --csv results/bench.csv
+	@bin/bench --backend all --runs $(RUNS) --json results/bench.json
 
 march-native: ## render as a user may build it, with -march=native, by g++ and clang++ (20 min, estimated)
 	@tools/build march-native render
@@ -163,7 +163,6 @@ report: python ## a report on results/, with new pictures: report/out/report.htm
 	@tools/build $(HERE) bench render imgdiff
 	@$(call take,$(HERE),bench render imgdiff)
 	@PYTHONPATH=report build/venv/bin/python -m mandelreport --results $(RESULTS)
-	@report/docs
 
 report-check: ## check the report in a headless browser: errors, the slider, the viewer (3 min, estimated)
 	@tools/setup report

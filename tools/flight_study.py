@@ -6,30 +6,22 @@ map of seed 1.
 Exit codes: 0 success, 1 a promise (a hard limit of the audit) is broken, 2 a program fails."""
 import argparse
 import os
-import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report"))
-from mandelreport.errors import InputError, read_json, run_program, write_whole
+from mandelreport.errors import output_of, read_json, run_program, write_whole
 
 
 def plan(program, fractal, seed, scratch, extra):
     """Plans a path. Returns its audit, a dict, and the seconds that planning and auditing took."""
     audit = os.path.join(scratch, "audit.json")
     start = time.monotonic()
-    done = subprocess.run([program, "plan", os.path.join(scratch, "path.json"), "--fractal", fractal, "--seed", str(seed), "--json",
-                           audit, *extra], capture_output=True, text=True, check=False)
+    output_of(program, "plan", os.path.join(scratch, "path.json"), "--fractal", fractal, "--seed", seed, "--json", audit, *extra, codes=(0, 1))
     seconds = time.monotonic() - start
-    if done.returncode not in (0, 1) or not os.path.exists(audit):
-        raise InputError(f"{fractal}, seed {seed}: {done.stderr.strip()}")
     return read_json(Path(audit), "an audit"), seconds
-
-
-def number(value):
-    return f"{value:.3g}"
 
 
 def table(fractal, audits):
@@ -41,9 +33,9 @@ def table(fractal, audits):
     lines.append(f"{'':46} {'bar':>9}" + "".join(f"{audit['seed']:>8}" for audit, _ in audits) + "    kept")
     for index, row in enumerate(audits[0][0]["rows"]):
         rows = [audit["rows"][index] for audit, _ in audits]
-        bar = ("<= " if row["at_most"] else ">= ") + number(row["bar"])
+        bar = ("<= " if row["at_most"] else ">= ") + f"{row['bar']:.3g}"
         name = f"{'!' if row['promise'] else ' '} {row['name']}{', ' + row['unit'] if row['unit'] else ''}"
-        lines.append(f"{name:46.46} {bar:>9}" + "".join(f"{number(r['value']):>8}" for r in rows) +
+        lines.append(f"{name:46.46} {bar:>9}" + "".join(f"{r['value']:>8.3g}" for r in rows) +
                      f"{sum(r['kept'] for r in rows):>5}/{len(rows)}")
     lines.append(f"{'  planning and audit, s':46} {'':>9}" + "".join(f"{seconds:>8.1f}" for _, seconds in audits))
     return "\n".join(lines) + "\n"

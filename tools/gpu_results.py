@@ -5,6 +5,7 @@ page, README.md: backends with the same bits, kernel times, and the last output 
 files are beside it; all other files are packed into logs.tar.xz."""
 import argparse
 import io
+import itertools
 import json
 import math
 import os
@@ -114,15 +115,6 @@ def device_of(files):
     return "no GPU"
 
 
-def free_folder(into, name):
-    """Returns a path that does not exist yet: INTO/NAME or, if that exists, INTO/NAME with a number appended."""
-    for number in range(1, 1000):
-        path = Path(into, name if number == 1 else f"{name}-{number}")
-        if not path.exists():
-            return path
-    raise InputError(f"{into}: already has 999 results of {name}")
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results")
@@ -146,7 +138,9 @@ def main():
                 member.size = len(files[name])
                 tar.addfile(member, io.BytesIO(files[name]))
         name = re.sub(r"\W+", "-", device)[:LONGEST_NAME].strip("-") or "unnamed"
-        target = free_folder(arguments.into, ("rehearsal-" if text_of(files, "rehearsal") else "") + name)
+        first = Path(arguments.into, ("rehearsal-" if text_of(files, "rehearsal") else "") + name)
+        others = (first.with_name(f"{first.name}-{number}") for number in itertools.count(2))
+        target = next(path for path in itertools.chain([first], others) if not path.exists())
         os.rename(folder, target)
     print(text.split("\n## Steps")[0])
     print(target / "README.md")

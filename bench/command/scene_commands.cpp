@@ -99,7 +99,7 @@ Run equivalence_command(CLI::App& app, Registry& registry)
                    }
                }
            },
-           "backend to check: all, or a list such as openmp,opencl")
+           "backend to check: all, or a list such as openmp,reference")
         ->default_str("all");
     add_fractal(app, o.fractals, "fractals to render: all, or one name");
     app.add_option("--scenes", o.scenes, "number of scenes in all")->check(whole(1, 10'000'000))->capture_default_str();

@@ -41,7 +41,7 @@ void add_devices(CLI::App& app, Registry& registry, Options& options)
     app.add_option_function<std::string>(
            "--backend",
            [&registry, &options](const std::string& text) { options.backends = parse_backends(registry, text); },
-           "backend to measure: all, or a list such as openmp,opencl,program:./mine")
+           "backend to measure: all, or a list such as openmp,reference,program:./mine")
         ->default_str("all");
     app.add_option_function<std::string>(
            "--precision",

@@ -2,28 +2,28 @@
 """Answers on the front page. Each public method of Answers returns the values for the sentences of one answer, or None
 if there is no data for it."""
 
+from collections.abc import Callable
 from typing import Any
 
 from markupsafe import Markup
 
-from .backends import Backends
-from .bench import SCALAR, Bench, Row
-from .models import Costs, work_over
-from .number import Number
+from .bench import SAME_WORK, SCALAR, Backends, Bench, Ratio, Row, count
 from .results import Results
+from .text import Number
 
 FRACTALS = ("mandelbulb", "mandelbox")
 FILM_SIZE = (1920, 1080)  # pixels
+MARGIN = 1.02  # as in bench compare
 
 
 # A picture's operations are the product of its DE evaluations, its iterations per evaluation, and its operations per
 # iteration. The first two were counted over all pixels of the configuration, the third in a sample of its pixels.
-def factors(bench: Bench, box: Row, bulb: Row) -> dict[str, Markup]:
+def factors(box: Row, bulb: Row) -> dict[str, Markup]:
     """Returns each factor of the picture `box` divided by that of the picture `bulb`, of the same size, and `work`, the
     product of these ratios."""
 
     def over(what: str, base: str = "") -> Number:
-        of = [Number.of_row(bench, row, what) / Number.of_row(bench, row, base) if base else Number.of_row(bench, row, what) for row in (box, bulb)]
+        of = [row.number(what) / row.number(base) if base else row.number(what) for row in (box, bulb)]
         return of[0] / of[1]
 
     return {
@@ -34,13 +34,69 @@ def factors(bench: Bench, box: Row, bulb: Row) -> dict[str, Markup]:
     }
 
 
-def named(text: str) -> Markup:
-    """Formats a name that contains digits. The markup shows that they are not a result."""
-    return Markup('<span class="name">{}</span>').format(text)
+def work_over(bench: Bench, name: str, over: str) -> Markup:
+    """Returns the counted operations of a row divided by those of the row `over`."""
+    above, below = (bench.named(of).number("/operations") for of in (name, over))
+    return (above / below).html()
 
 
-def _count(rows: list[tuple[Bench, Row]]) -> Markup:
-    return Number.count([f"{bench.name}#{bench.at(row)}" for bench, row in rows]).html("whole")
+def verdict(ratio: Ratio) -> Markup:
+    """Returns a word for a ratio of times: slower, faster, the same within the margin, or undecided."""
+    if ratio.times.interval is None:
+        return Markup("undecided")
+    low, high = ratio.times.interval
+    if 1 / MARGIN <= low and high <= MARGIN:
+        return Markup('the same within <span class="name">{:.0f} %</span>').format(100 * (MARGIN - 1))
+    return Markup("it is slower" if low > 1 else "it is faster" if high < 1 else "undecided")
+
+
+class Costs:
+    """The cost of a programming model is its time divided by that of the host's scalar kernel for the same work, per thread.
+    `speeds`: by backend, the rows that do the same work as the scalar kernel without explicit SIMD, with their
+    speeds per thread, relative to the scalar kernel's."""
+
+    def __init__(self, bench: Bench, backends: Backends):
+        self.bench, self.host = bench, backends.host
+        # Each tuple: speed, the scalar kernel's threads divided by the row's, row.
+        self.speeds: dict[str, list[tuple[float, float, Row]]] = {}
+        for row in bench.rows:
+            # A driver's compiler may vectorise the kernel, on a number of threads of its own.
+            if row.is_gpu or row.simd_width != 1 or row.backend == self.host or row.backend not in bench.in_cpp:
+                continue
+            work = row.work_over_scalar(self.host) if row.timed else None
+            if work is None or abs(work - 1) > SAME_WORK:
+                continue
+            scalar = row.scalar(self.host)
+            if scalar is not None and row.figures["over_scalar"] is not None:
+                threads = scalar.threads / row.threads
+                self.speeds.setdefault(row.backend, []).append((threads * row.figures["over_scalar"], threads, row))
+
+    def _end(self, pick: Callable[..., Any], speeds: list[tuple[float, float, Row]]) -> Markup:
+        _, threads, row = pick(speeds, key=lambda one: one[0])
+        at = f"{row.at}/figures/over_scalar"
+        return self.bench.with_interval(at, f"{at}_interval", threads)
+
+    def answer(self) -> dict[str, Any] | None:
+        """Returns the slowest and the fastest case of each model. Models that run on as many threads as the scalar
+        kernel come before models that run on one thread."""
+        groups: dict[str, list[dict[str, Any]]] = {}
+        for backend, speeds in sorted(self.speeds.items(), key=lambda item: item[1][0][1]):
+            words = "on one thread, speed per thread" if speeds[0][1] > 1 else "On as many threads"
+            ends = {"least": self._end(min, speeds), "most": self._end(max, speeds)}
+            groups.setdefault(words, []).append({"backend": backend, **ends})
+        if not groups:
+            return None
+        every = [one for speeds in self.speeds.values() for one in speeds]
+        cases = self.bench.timed(backend=next(iter(self.speeds)), sweep_value="")
+        return {
+            "groups": list(groups.items()),
+            "backends": [model["backend"] for models in groups.values() for model in models],
+            "least": self._end(min, every),
+            "most": self._end(max, every),
+            "cheap": min(speed for speed, *_ in every) > 0.8,
+            "cases": count(cases),
+            "size": self.bench.size,
+        }
 
 
 class Answers:
@@ -55,29 +111,20 @@ class Answers:
         a fast picture."""
         if self.primary is None:
             return None
-        timed = self.results.timed(("standard",), sweep_value="")
-        every = [(bench, row) for bench, row in timed if row.backend != self.backends.reference]
-        exact = [(bench, row) for bench, row in every if row.mode == "exact"]
-        same = [(bench, row) for bench, row in exact if row.verification["level"] == "same bits"]
-        fast = [(bench, row) for bench, row in every if row.mode == "fast"]
+        every = [row for row in self.results.timed(("standard",), sweep_value="") if row.backend != self.backends.reference]
+        exact, fast = ([row for row in every if row.mode == mode] for mode in ("exact", "fast"))
+        same = [row for row in exact if row.verification["level"] == "same bits"]
         off = None
         if fast:
-            differing, pixels = (
-                Number.of_row(*max(fast, key=lambda one: one[1].visibly_off), f"/verification/{what}")
-                for what in ("visibly_differing", "pixels")
-            )
-            off = (100 * (differing / pixels)).html()
+            worst = max(fast, key=lambda row: row.visibly_off)
+            off = (100 * (worst.number("/verification/visibly_differing") / worst.number("/verification/pixels"))).html()
         return {
-            "same": _count(same),
-            "exact": _count(exact),
+            "same": count(same),
+            "exact": count(exact),
             "all": bool(exact) and len(same) == len(exact),
-            "backends": self.backends.order(row.backend for _, row in exact),
+            "backends": self.backends.order(row.backend for row in exact),
             "off": off,
         }
-
-    def _ratio(self, question: str, numerator: str) -> Markup:
-        assert self.primary is not None
-        return self.results.times(self.primary.name, self.primary.ratio_at(question, numerator))
 
     def fastest(self) -> dict[str, Any] | None:
         """Returns the host, the machines on which the host is the fastest backend, and the range of the next best
@@ -85,20 +132,18 @@ class Answers:
         others = self.primary.ratios("others_to_host") if self.primary else []
         if self.primary is None or not others:
             return None
-        next_best: dict[str, dict[str, Any]] = {}
+        next_best: dict[str, Ratio] = {}
         for ratio in others:
-            kept = next_best.setdefault(ratio["denominator"], ratio)
-            if ratio["ratio"]["median"] < kept["ratio"]["median"]:
-                next_best[ratio["denominator"]] = ratio
-        ends = [pick(next_best.values(), key=lambda r: r["ratio"]["median"]) for pick in (min, max)]
-        places = [f"{self.primary.name}#{self.primary.ratio_at('others_to_host', ratio['numerator'])}" for ratio in others]
+            next_best[ratio.denominator] = min(next_best.get(ratio.denominator, ratio), ratio, key=lambda one: one.times.median)
+        ends = [pick(next_best.values(), key=lambda one: one.times.median) for pick in (min, max)]
+        host = self.backends.host
         return {
-            "host": self.backends.host,
-            "host_wins": self.primary.wins(self.backends.host),
-            "machines": list(dict.fromkeys(bench.machine for bench in self.results.whole() if bench.wins(self.backends.host))),
+            "host": host,
+            "host_wins": self.primary.wins(host),
+            "machines": list(dict.fromkeys(bench.machine for bench in self.results.whole() if bench.wins(host))),
             "slower": Number.count(self._slower(self.primary)).html("whole"),
-            "compared": Number.count(places).html("whole"),
-            "ends": [self._end(r) for r in ends],
+            "compared": Number.count([f"{self.primary.name}#{ratio.at}" for ratio in others]).html("whole"),
+            "ends": [self._end(ratio) for ratio in ends],
         }
 
     def _slower(self, bench: Bench) -> list[str]:
@@ -111,29 +156,26 @@ class Answers:
             if fastest.backend == self.backends.host != bench.named(other["name"]).backend and other["verdict"] == "SLOWER"
         ]
 
-    def _end(self, ratio: dict[str, Any]) -> dict[str, Any]:
-        assert self.primary is not None
-        fractal, precision, mode, backend = ratio["numerator"].split("/")[:4]
-        return {
-            "ratio": self._ratio("others_to_host", ratio["numerator"]),
-            "case": f"{backend}; {fractal}, {precision}, {mode}",
-            "work": work_over(self.primary, ratio["numerator"], ratio["denominator"]),
-        }
+    def _end(self, ratio: Ratio) -> dict[str, Any]:
+        fractal, precision, mode, backend = ratio.numerator.split("/")[:4]
+        case = f"{backend}; {fractal}, {precision}, {mode}"
+        return {"ratio": ratio.html(), "case": case, "work": work_over(ratio.bench, ratio.numerator, ratio.denominator)}
 
     def cost(self) -> dict[str, Any] | None:
         """Returns the cost of each programming model that compiles the scalar kernel unchanged, relative to openmp's
         scalar kernel."""
-        return Costs(self.primary, self.backends).answer(self.results) if self.primary else None
+        return Costs(self.primary, self.backends).answer() if self.primary else None
 
-    def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> tuple[Bench, Row] | None:
+    def speed_up(self, key: str, fractal: str, precision: str, mode: str) -> Row | None:
         """Returns the host's configuration with the highest value of the speed-up `key`. Prefers the primary study,
         then standard studies, then studies with more runs."""
-        timed = self.results.timed(
-            ("standard", "simd-widths"), fractal=fractal, precision=precision, mode=mode, backend=self.backends.host
-        )
-        rows = [one for one in timed if one[1].figures[key] is not None]
-        order = [(b is self.primary, b.study == "standard", b.data["runs"], r.figures[key]) for b, r in rows]
-        return rows[order.index(max(order))] if rows else None
+        kind = {"fractal": fractal, "precision": precision, "mode": mode, "backend": self.backends.host}
+        rows = [row for row in self.results.timed(("standard", "simd-widths"), **kind) if row.figures[key] is not None]
+
+        def order(row: Row) -> tuple[bool, bool, int, float]:
+            return row.bench is self.primary, row.bench.study == "standard", row.bench.data["runs"], row.figures[key]
+
+        return max(rows, key=order, default=None)
 
     def speed_ups(self) -> dict[str, Any] | None:
         """Returns the host's figures in float, by mode, exact first. Each mode has three lists with a number per
@@ -144,52 +186,47 @@ class Answers:
 
     def _speed_ups_of(self, mode: str) -> dict[str, Any] | None:
         keys = ("speed_up", "over_scalar")
-        serial, scalar = ([self.speed_up(key, f, "float", mode) for f in FRACTALS] for key in keys)
-        if None in serial or None in scalar:
+        serial, scalar = ([row for f in FRACTALS if (row := self.speed_up(key, f, "float", mode))] for key in keys)
+        if len(serial) < len(FRACTALS) or len(scalar) < len(FRACTALS):
             return None
 
-        def number(key: str, bench: Bench, row: Row) -> Markup:
-            at = bench.at(row, f"/figures/{key}")
-            return self.results.with_interval(bench.name, at, f"{at}_interval")
+        def number(key: str, row: Row) -> Markup:
+            at = f"{row.at}/figures/{key}"
+            return row.bench.with_interval(at, f"{at}_interval")
 
-        def work(bench: Bench, row: Row) -> Markup:
-            return work_over(bench, "/".join([*row.kind, self.backends.host, "0", SCALAR]), row.name)
-
-        factors = [work(*one) for one in scalar if one]
+        factors = [work_over(row.bench, "/".join([*row.kind, self.backends.host, "0", SCALAR]), row.name) for row in scalar]
         return {
-            "serial": [number(keys[0], *one) for one in serial if one],
-            "scalar": [number(keys[1], *one) for one in scalar if one],
+            "serial": [number(keys[0], row) for row in serial],
+            "scalar": [number(keys[1], row) for row in scalar],
             # Empty if no factor shows in the printed digits.
             "work": factors if any(factor.striptags() != "1.00" for factor in factors) else [],
         }
+
+    def _ratios(self, question: str, kinds: list[str]) -> list[Ratio]:
+        """Returns the ratios of the host's rows of these kinds, or none if one is missing."""
+        names = [f"{kind}/{self.backends.host}/0" for kind in kinds]
+        found = [ratio for name in names if self.primary and (ratio := self.primary.ratio(question, name))]
+        return found if len(found) == len(kinds) else []
 
     def box_or_bulb(self) -> dict[str, Any] | None:
         """Returns the Mandelbox's times divided by the Mandelbulb's and, for double in exact mode, the counted factors
         of their operations."""
         kinds = [("double", "exact"), ("float", "fast")]
-        ratios = [self._found("mandelbox_to_mandelbulb", f"mandelbox/{p}/{m}/{self.backends.host}/0") for p, m in kinds]
-        if self.primary is None or None in ratios:
+        ratios = self._ratios("mandelbox_to_mandelbulb", [f"mandelbox/{p}/{m}" for p, m in kinds])
+        if self.primary is None or not ratios:
             return None
         box, bulb = (self.primary.named(f"{fractal}/double/exact/{self.backends.host}/0") for fractal in FRACTALS[::-1])
         return {
             "size": self.primary.size,
-            "ratios": [
-                (self._ratio("mandelbox_to_mandelbulb", r["numerator"]), p, m, verdict(r)) for r, (p, m) in zip(ratios, kinds)
-            ],
-            **factors(self.primary, box, bulb),
+            "ratios": [(ratio.html(), *kind, verdict(ratio)) for ratio, kind in zip(ratios, kinds)],
+            **factors(box, bulb),
         }
-
-    def _found(self, question: str, numerator: str) -> dict[str, Any] | None:
-        return self.primary.ratio(question, numerator) if self.primary else None
 
     def float_or_double(self) -> dict[str, Any] | None:
         """Returns the ratio of the host's times in double and in float, and float's error in pictures of random
         scenes."""
-        ratios = {
-            mode: [self._found("double_to_float", f"{f}/double/{mode}/{self.backends.host}/0") for f in FRACTALS]
-            for mode in ("exact", "fast")
-        }
-        if self.primary is None or any(ratio is None for two in ratios.values() for ratio in two):
+        exact, fast = (self._ratios("double_to_float", [f"{f}/double/{mode}" for f in FRACTALS]) for mode in ("exact", "fast"))
+        if not exact or not fast:
             return None
         random = next((data for data in self.results.random if not data["without"]), None)
         file = next((name for name, data in self.results.files.items() if data is random), "")
@@ -201,31 +238,32 @@ class Answers:
                 for p in ("float", "double")
             }
         return {
-            "float_wins": all((ratio["ratio"]["interval"] or [0])[0] > 1 for two in ratios.values() for ratio in two),
-            "exact": [self._ratio("double_to_float", ratio["numerator"]) for ratio in ratios["exact"]],
-            "fast": [self._ratio("double_to_float", ratio["numerator"]) for ratio in ratios["fast"]],
+            "float_wins": all((ratio.times.interval or [0])[0] > 1 for ratio in exact + fast),
+            "exact": [ratio.html() for ratio in exact],
+            "fast": [ratio.html() for ratio in fast],
             "off": off,
         }
 
     def gpu(self) -> dict[str, Any] | None:
         """Returns the times of the fastest measured GPU, and the host's times, all at the film's size."""
         kinds = [{"fractal": fractal, "precision": "float", "mode": "fast"} for fractal in FRACTALS]
-        rows = [self.results.of_size(FILM_SIZE, **kind, backend=self.backends.host) for kind in kinds]
+        hosts = [self.results.of_size(FILM_SIZE, **kind, backend=self.backends.host) for kind in kinds]
         gpus = [self.results.fastest_gpu(FILM_SIZE, **kind) for kind in kinds]
-        if None in rows or None in gpus:
+        pairs = [(gpu, host) for gpu, host in zip(gpus, hosts) if gpu and host]
+        if len(pairs) < len(kinds):
             return None
-        size = [Number.of_row(*rows[0], f"/setting/{key}").html("plain") for key in ("width", "height")]
-        return {"measured": [self._beside(gpu, row) for gpu, row in zip(gpus, rows)], "size": size, "host": self.backends.host}
+        size = [pairs[0][1].number(f"/setting/{key}").html("plain") for key in ("width", "height")]
+        return {"measured": [self._beside(*pair) for pair in pairs], "size": size, "host": self.backends.host}
 
-    def _beside(self, gpu: tuple[Bench, Row], host: tuple[Bench, Row]) -> dict[str, Any]:
+    def _beside(self, gpu: Row, host: Row) -> dict[str, Any]:
         """Returns the times of a GPU's row and of the host's row for the same picture."""
-        kernel = "/figures/kernel_seconds"
+        median = "/figures/kernel_seconds/median"
         return {
-            "device": gpu[1].device_name,
-            "backend": gpu[1].backend,
-            "gpu": (1e3 * Number.of_row(*gpu, f"{kernel}/median")).html(),
-            "host": self.results.times(host[0].name, host[0].at(host[1], kernel), 1e3),
-            "times": (Number.of_row(*host, f"{kernel}/median") / Number.of_row(*gpu, f"{kernel}/median")).html(),
+            "device": gpu.device_name,
+            "backend": gpu.backend,
+            "gpu": (1e3 * gpu.number(median)).html(),
+            "host": host.bench.times(f"{host.at}/figures/kernel_seconds", 1e3),
+            "times": (host.number(median) / gpu.number(median)).html(),
         }
 
     def film(self) -> dict[str, Any] | None:
@@ -246,17 +284,3 @@ class Answers:
                     "what": f"{data['precision']}, {data['mode']}",
                 }
         return None
-
-
-MARGIN = 1.02  # as in bench compare
-
-
-def verdict(ratio: dict[str, Any] | None) -> Markup:
-    """Returns a word for a ratio of times: slower, faster, the same within the margin, or undecided."""
-    interval = ratio["ratio"]["interval"] if ratio else None
-    if interval is None:
-        return Markup("undecided")
-    low, high = interval
-    if 1 / MARGIN <= low and high <= MARGIN:
-        return Markup("the same within {}").format(named(f"{100 * (MARGIN - 1):.0f} %"))
-    return Markup("it is slower" if low > 1 else "it is faster" if high < 1 else "undecided")

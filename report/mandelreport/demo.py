@@ -10,16 +10,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import jinja2
+
 from . import viewer
 from .blocks import data_uri
 from .errors import InputError, read_json, reading, run_program, write_whole
 
 LARGEST = 20 * 2**20  # bytes of the page
 REFERENCE = "reference"
-# The members of a row of demo.json, and examples of their types.
-ROW = {"fractal": "", "backend": "", "simd_width": 0, "precision": "", "mode": "", "drawn": True, "fine": True, "said": ""}
-ROW |= {"device": "", "is_gpu": True, "wall_seconds": 0.5, "speed_up": 0.5, "picture": ""}
-TABLE = {"cpu": "", "repetitions": 0, "revision": "", "side": 0, "threads": 0, "version": "", "rows": []}
 
 
 @dataclass
@@ -41,34 +39,13 @@ def substitute(row: dict[str, Any], cpu: str) -> str:
     return f" ({row['device']})" if row["device"] != cpu and not row["is_gpu"] else ""
 
 
-def check_members(data: Any, examples: dict[str, Any]) -> None:
-    """Raises KeyError or TypeError if the object lacks a member or has one of another type than its example."""
-    for name, example in examples.items():
-        kinds = (int, float) if isinstance(example, float) else type(example)
-        if not isinstance(data[name], kinds):
-            raise TypeError(f"{name} has another type")
-
-
-def read_table(folder: Path) -> dict[str, Any]:
-    path = folder / "demo.json"
-    table = read_json(path, expected := f"a table of schema 1 as bin/demo --folder {folder} writes it")
-    with reading(path, expected):
-        if table["schema"] != 1 or not table["rows"]:
-            raise ValueError("another schema, or no rows")
-        check_members(table, TABLE)
-        for row in table["rows"]:
-            check_members(row, ROW)
-            if row["picture"] and (folder / row["picture"]).resolve().parent != folder.resolve():
-                raise ValueError(f"the picture {row['picture']} is in another folder")
-    return table
-
-
 def pictures_of(folder: Path, rows: list[dict[str, Any]]) -> list[Picture]:
     found: dict[str, Picture] = {}
     for row in rows:
         if row["picture"]:
-            with reading(folder / row["picture"], "a picture"):
-                data = (folder / row["picture"]).read_bytes()
+            if "/" in row["picture"]:
+                raise ValueError(f"the picture {row['picture']} is in another folder")
+            data = (folder / row["picture"]).read_bytes()
             digest = hashlib.sha256(data).hexdigest()
             name = f"{row['fractal']}-{len(found)}"
             found.setdefault(digest, Picture(name, data_uri("image/png", data))).rows.append(row)
@@ -139,23 +116,25 @@ def fractals_of(folder: Path, table: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def page(folder: Path, programs: Path) -> str:
-    table = read_table(folder)
+    path = folder / "demo.json"
+    table = read_json(path, expected := f"a table of schema 1 as bin/demo --folder {folder} writes it")
+    with reading(path, expected):
+        if table["schema"] != 1:
+            raise ValueError(f"schema {table['schema']}")
+        first = table["rows"][0]["fractal"]
+        answer = answer_of([row for row in table["rows"] if row["fractal"] == first])
+        values = {"table": table, "fractals": fractals_of(folder, table), "absent": absent_of(table["rows"]), "answer": answer}
 
     def optional(kind: str, name: str) -> str | None:
         return data_uri(kind, (folder / name).read_bytes()) if (folder / name).exists() else None
 
-    return viewer.environment().get_template("demo.html.j2").render(
-        table=table,
-        fractals=fractals_of(folder, table),
-        absent=absent_of(table["rows"]),
-        answer=answer_of([row for row in table["rows"] if row["fractal"] == table["rows"][0]["fractal"]]),
-        still=optional("image/jpeg", "still.jpg"),
-        film=optional("video/mp4", "film.mp4"),
-        s=viewer.material(programs / "render", folder / "shaders", "make demo"),
-        style=viewer.raw("templates/style.css"),
-        slider=viewer.raw("templates/slider.js"),
-        viewer=viewer.scripts(),
-    )
+    values |= {"still": optional("image/jpeg", "still.jpg"), "film": optional("video/mp4", "film.mp4")}
+    values |= {"s": viewer.material(programs / "render", folder / "shaders", "make demo"), **viewer.assets()}
+    with reading(path, expected):
+        try:
+            return viewer.environment().get_template("demo.html.j2").render(values)
+        except jinja2.UndefinedError as error:
+            raise ValueError(error) from error
 
 
 def main() -> int:

@@ -68,16 +68,6 @@ def output_of(*command: object, codes: tuple[int, ...] = (0,)) -> str:
     return run.stdout
 
 
-def _end_of_links(path: Path) -> Path:
-    """Returns the file to which links lead, or their first target in /proc, such as /proc/self/fd/1."""
-    for _ in range(40):
-        path = Path(os.path.realpath(path.parent), path.name)
-        if str(path).startswith("/proc/") or not path.is_symlink():
-            return path
-        path = path.parent / os.readlink(path)
-    raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
-
-
 def _replace(target: Path, data: bytes) -> None:
     """Writes a file with a private name next to `target` and renames it. If `target` is a mounted file, which cannot be
     replaced, writes to it."""
@@ -102,19 +92,18 @@ def _replace(target: Path, data: bytes) -> None:
 
 def write_whole(path: Path, data: bytes) -> None:
     """Writes a file so that readers never see a part of it, as OutputFile of core/os does: links are followed, the
-    permissions of a replaced file are kept, and devices, pipes and standard output (also `-`) are written directly.
-    Makes the folder."""
+    permissions of a replaced file are kept, and devices, pipes and standard output (`-`) are written directly. Makes the
+    folder."""
     try:
         if str(path) == "-":
             sys.stdout.buffer.write(data)
             sys.stdout.buffer.flush()
             return
         path.parent.mkdir(parents=True, exist_ok=True)
-        target = _end_of_links(path)
-        if str(target).startswith("/proc/") or (target.exists() and not target.is_file()):
-            with open(target, "ab") as stream:
+        if path.exists() and not path.is_file():
+            with open(path, "ab") as stream:
                 stream.write(data)
         else:
-            _replace(target, data)
+            _replace(Path(os.path.realpath(path)), data)
     except OSError as error:
         raise OSError(f"{path}: {error.strerror}") from error

@@ -4,7 +4,9 @@
 from dataclasses import dataclass
 from typing import Any
 
+from .blocks import Table
 from .errors import InputError
+from .text import digits, plain
 
 SERIES = ("x", "y", "z", "clearance", "turn")
 
@@ -33,21 +35,11 @@ class FlightMap:
 
 
 @dataclass(frozen=True)
-class Film:
-    """A rendered film. `seconds`: the time to render `rendered` frames."""
+class Audit:
+    """`promises`: for each promise, true if it is kept."""
 
-    name: str
-    fractal: str
-    device: str
-    frames: int
-    rendered: int
-    seconds: float
-    processes: int
-    details: str
-
-    @property
-    def per_frame(self) -> float | None:
-        return self.seconds / self.rendered if self.rendered else None
+    table: Table
+    promises: list[bool]
 
 
 def read_map(name: str, data: dict[str, Any]) -> FlightMap:
@@ -57,29 +49,41 @@ def read_map(name: str, data: dict[str, Any]) -> FlightMap:
     return FlightMap(name, data)
 
 
-def read_audit(data: dict[str, Any]) -> dict[str, Any]:
+def read_audit(data: dict[str, Any]) -> Audit:
     if data["schema"] != 1:
         raise ValueError(f"schema {data['schema']}")
-    rows = [{key: row[key] for key in ("name", "value", "bar", "at_most", "promise", "unit", "kept", "worst")} for row in data["rows"]]
-    return {key: data[key] for key in ("fractal", "seed", "frames")} | {"rows": rows}
+    lines = []
+    for row in data["rows"]:
+        name, unit = row["name"], f" {row['unit']}" if row["unit"] else ""
+        kept = "kept" if row["kept"] else "BROKEN" if row["promise"] else "missed"
+        bar = ("≤ " if row["at_most"] else "≥ ") + plain(row["bar"]) + unit
+        lines.append(["!" if row["promise"] else "", name, plain(row["value"]) + unit, bar, kept, row["worst"]])
+    table = Table(
+        ["", "item", "value", "threshold", "", "worst"],
+        lines,
+        f"Audit of the {data['fractal']}'s flight, seed {data['seed']}, {data['frames']:,} frames. Items with ! are promises and "
+        "must be kept; the others describe quality.",
+        [2, 3],
+    )
+    return Audit(table, [row["kept"] for row in data["rows"] if row["promise"]])
 
 
-def read_film(name: str, data: dict[str, Any]) -> Film:
+def read_film(name: str, data: dict[str, Any]) -> Table:
+    """Returns the table that the assignment requires."""
     if data["version"] != 1:
         raise ValueError(f"version {data['version']}")
-    device = data["device"]
+    device, rendered, seconds = data["device"], data["frames_rendered"], data["seconds"]
     kind = "GPU" if device["is_gpu"] else f"CPU, {data['threads']} threads" if data["threads"] else "CPU"
-    details = (
-        f"{data['width']} x {data['height']}, {data['samples']} x {data['samples']} samples per pixel, "
-        f"{data['precision']}, {data['mode']}"
-    )
-    return Film(
-        name,
-        data["fractal"],
-        f"{data['backend']}: {device['name']} ({kind})",
-        data["frames"],
-        data["frames_rendered"],
-        data["seconds"],
-        data["processes"],
-        details,
-    )
+    rows = [
+        ["GPU(s) or CPU used", f"{data['backend']}: {device['name']} ({kind})"],
+        ["number of frames", f"{data['frames']:,}"],
+        ["average seconds per frame", digits(seconds / rendered) if rendered else "no frame was rendered in this run"],
+        ["frames rendered in this run, seconds", f"{rendered:,} in {digits(seconds)} s"],
+        ["processes", str(data["processes"])],
+        [
+            "settings",
+            f"{data['width']} x {data['height']}, {data['samples']} x {data['samples']} samples per pixel, "
+            f"{data['precision']}, {data['mode']}",
+        ],
+    ]
+    return Table(["", data["fractal"]], rows, f"The film, from {name}. The time includes rendering, filtering and encoding.")

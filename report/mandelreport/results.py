@@ -1,23 +1,51 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds all files below the results folder, and the kind of each JSON file by its content."""
+"""Finds all files below the results folder, each read once, and the kind of each JSON file by its content."""
 
+import json
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from markupsafe import Markup
-
-from .backends import Backends
-from .bench import HOST_COMPILERS, Bench, Row
-from .errors import InputError, reading
-from .files import PROGRAMS, Files
-from .number import Number, found
-from .flight import Film, FlightMap, read_audit, read_film, read_map
+from .bench import HOST_COMPILERS, Backends, Bench, Row
+from .blocks import Table
+from .errors import InputError, output_of, reading
+from .flight import Audit, FlightMap, read_audit, read_film, read_map
+from .text import Number
 
 RESULTS = Path("results")  # from the source folder
 FLIGHT_STUDY = "flight_seeds.txt"  # the table of make flight-study
+
+
+# The kinds of files from which bench computes figures.
+OF_BENCH = ("mandelmarch-bench", "mandelmarch-bench-random")
+PROGRAMS = Path(__file__).parents[2] / "bin"
+
+
+class Files:
+    """`read`: the content of each file read so far, by the file's path relative to the folder. Files of bench hold facts
+    alone; their content is what `bench json` of the folder `programs` prints, with all figures. If a file cannot be read
+    or parsed, its method raises InputError with one line."""
+
+    def __init__(self, folder: Path, programs: Path = PROGRAMS):
+        self.folder = folder
+        self.bench_program = programs / "bench"
+        self.read: dict[str, Any] = {}
+
+    def json(self, name: str) -> Any:
+        """Returns the content of the file `name`.json."""
+        file = f"{name}.json"
+        if file not in self.read:
+            with reading(file, "JSON"):
+                content = json.loads((self.folder / file).read_bytes())
+            if isinstance(content, dict) and content.get("schema") in OF_BENCH:
+                content = json.loads(output_of(self.bench_program, "json", self.folder / file))
+            self.read[file] = content
+        return self.read[file]
+
+    def bench(self, name: str) -> Bench:
+        return Bench(f"{name}.json", self.folder / f"{name}.json", self.json(name))
 
 
 @dataclass
@@ -28,11 +56,10 @@ class Results:
     files: dict[str, Any] = field(default_factory=dict)
     benches: list[Bench] = field(default_factory=list)
     maps: list[FlightMap] = field(default_factory=list)
-    audits: list[dict[str, Any]] = field(default_factory=list)
-    films: list[Film] = field(default_factory=list)
+    audits: list[Audit] = field(default_factory=list)
+    films: list[Table] = field(default_factory=list)
     contact_sheets: list[Path] = field(default_factory=list)
     random: list[dict[str, Any]] = field(default_factory=list)  # bench random --json
-    lines_of_code: list[dict[str, Any]] = field(default_factory=list)  # the models of tools/lines_of_code.py
     flight_studies: list[str] = field(default_factory=list)
 
     def study(self, name: str) -> list[Bench]:
@@ -79,35 +106,23 @@ class Results:
     def gpu_measured(self) -> bool:
         return any(row.is_gpu for bench in self.benches for row in bench.rows if row.timed)
 
-    def timed(self, studies: Iterable[str], **wanted: Any) -> list[tuple[Bench, Row]]:
+    def timed(self, studies: Iterable[str], **wanted: Any) -> list[Row]:
         """Returns the timed rows with the given field values in these studies."""
-        return [(bench, row) for bench in self.benches if bench.study in studies for row in bench.timed(**wanted)]
+        return [row for bench in self.benches if bench.study in studies for row in bench.timed(**wanted)]
 
-    def of_size(self, size: tuple[int, int], **wanted: str) -> tuple[Bench, Row] | None:
+    def of_size(self, size: tuple[int, int], **wanted: str) -> Row | None:
         """Returns the row with this picture size and the given field values from the standard study or the study of
         resolutions that has the most runs."""
-        rows = [one for one in self.timed(("standard", "resolution"), **wanted) if one[1].size == size]
-        return max(rows, key=lambda one: (one[0].data["runs"], one[1].kernel.count), default=None)
+        rows = [row for row in self.timed(("standard", "resolution"), **wanted) if row.size == size]
+        return max(rows, key=lambda row: (row.bench.data["runs"], row.kernel.count), default=None)
 
-    def fastest_gpu(self, size: tuple[int, int], **wanted: str) -> tuple[Bench, Row] | None:
+    def fastest_gpu(self, size: tuple[int, int], **wanted: str) -> Row | None:
         """Returns the fastest row of a GPU with this picture size and the given field values in the standard study."""
-        rows = [one for one in self.timed(("standard",), is_gpu=True, **wanted) if one[1].size == size]
-        return min(rows, key=lambda one: one[1].kernel.median, default=None)
+        rows = [row for row in self.timed(("standard",), is_gpu=True, **wanted) if row.size == size]
+        return min(rows, key=lambda row: row.kernel.median, default=None)
 
     def number(self, file: str, pointer: str) -> Number:
         return Number.at(file, self.files[file], pointer)
-
-    def with_interval(self, file: str, value: str, interval: str, scale: float = 1) -> Markup:
-        """Formats a number with its interval in brackets or, if there are too few samples for one, with a note."""
-        number = (scale * self.number(file, value)).html()
-        if found(self.files[file], interval) is None:
-            return number + Markup(" [too few samples for an interval]")
-        low, high = ((scale * self.number(file, f"{interval}/{end}")).html() for end in (0, 1))
-        return number + Markup(" <span class=\"interval\">[") + low + ", " + high + Markup("]</span>")
-
-    def times(self, file: str, summary: str, scale: float = 1) -> Markup:
-        """Formats a summary of bench: its median and interval."""
-        return self.with_interval(file, f"{summary}/median", f"{summary}/interval", scale)
 
 
 def _add_json(results: Results, files: Files, stem: str) -> None:
@@ -118,8 +133,6 @@ def _add_json(results: Results, files: Files, stem: str) -> None:
             results.benches.append(files.bench(stem))
         elif kind.get("schema") == "mandelmarch-bench-random":
             results.random.append(data)
-        elif kind.get("schema") == "mandelmarch-lines-of-code":
-            results.lines_of_code = data["models"]
         elif kind.get("format") == "mandelmarch flight map 1":
             results.maps.append(read_map(name, data))
         elif kind.get("schema") == "mandelmarch-film":

@@ -54,15 +54,15 @@ def _lines(text: str) -> str:
     return textwrap.fill(whole, 120, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False).replace("\0", " ")
 
 
-def _cell(bench: Bench, row: Row, what: str) -> str:
+def _cell(row: Row, what: str) -> str:
     """Formats a value of a row: a time, a share, a speed-up, or the ratio that answers the question `what`."""
     if what == "share_of_peak":
         return percent(row.figures[what])
     if what in ("kernel", "wall"):
         return with_interval(getattr(row, what).median, getattr(row, what).interval, ms)
-    if what not in bench.data["questions"]:
+    if what not in row.bench.data["questions"]:
         return tables.quotient_cell(row, what)
-    found = bench.compared(what, row)
+    found = row.compared(what)
     return with_interval(found.median, found.interval) if found else "–"
 
 
@@ -84,7 +84,7 @@ class Page:
         self.results, self.material = results, Material(results, Studio(none, Cache(none)), none)
         self.benches = {bench.name: bench for bench in results.benches}
         self.front = front.section(self.material)
-        self.random, self.lines_of_code = pictures.random_errors(results.random), tables.lines_of_code(results.lines_of_code)
+        self.random = pictures.random_errors(results.random)
 
     def bench(self, name: str) -> Bench:
         return self.benches[f"{name}.json"]
@@ -97,9 +97,9 @@ class Page:
             return ", ".join(getattr(row, field) for field in fields.split())
 
         benches = [self.bench(name) for name in names.split()]
-        rows = ((bench, row) for bench in benches for row in bench.all_rows if row.timed)
-        chosen = ((bench, row) for bench, row in rows if all(row.data[key] == value for key, value in wanted.items()))
-        cells = ((of(row, lines), of(row, columns), _cell(bench, row, what)) for bench, row in chosen)
+        rows = (row for bench in benches for row in bench.all_rows if row.timed)
+        chosen = (row for row in rows if all(row.data[key] == value for key, value in wanted.items()))
+        cells = ((of(row, lines), of(row, columns), _cell(row, what)) for row in chosen)
         return _pivoted(cells, ", ".join(bench.name for bench in benches))
 
     def files(self) -> Table:

@@ -18,10 +18,6 @@ ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "report"
 TOOLS = ("cmake", "glslangValidator", "spirv-cross")
 INPUTS = "(shape, escape, iterations, largest, conservative)"  # inputs of every formula (core/scene/formula.h)
-CLOSE = 1e-6  # relative; the fields of the scene are rounded to float once
-# Fields of the scene whose values in the viewer may differ from the programs'. The viewer needs no hull, because the
-# picture is the same without it. The viewer's kernel is in float, which computes no normals from finite differences.
-VIEWERS_OWN = ("hull", "subtile_hull", "spacing", "difference_step")
 FLATTEN = FOLDER / "viewer" / "flatten.cmake"
 KERNEL = ROOT / "core" / "kernel"
 VIEWS = ROOT / "scenes"  # contains the files NAME.FRACTAL.dat
@@ -79,26 +75,15 @@ def environment() -> jinja2.Environment:
     )
 
 
-def differing_fields(mine: dict[str, Any], printed: dict[str, Any], close: float = CLOSE) -> list[str]:
-    """Returns the names of fields whose values in the viewer's scene, `mine`, differ from those that
-    `bin/render --print-scene` printed."""
-
-    def same(a: Any, b: Any) -> bool:
-        if isinstance(a, list):
-            return len(a) == len(b) and all(map(same, a, b))
-        return a == b or (isinstance(a, (int, float)) and abs(a - b) <= close * max(abs(b), 1e-3))
-
-    return [name for name, value in mine.items() if name not in VIEWERS_OWN and not same(value, printed[name])]
-
-
-def raw(name: str) -> Markup:
+def _raw(name: str) -> Markup:
     """Returns a style sheet or script of the report, unescaped."""
     return Markup((FOLDER / name).read_text(encoding="utf-8"))
 
 
-def scripts() -> Markup:
-    """Returns the viewer's scripts, in their order."""
-    return Markup("\n").join(raw(f"viewer/{name}.js") for name in ("camera", "painter", "viewer"))
+def assets() -> dict[str, Markup]:
+    """Returns the style sheet and the scripts of a page, by their names in templates."""
+    scripts = Markup("\n").join(_raw(f"viewer/{name}.js") for name in ("camera", "painter", "viewer"))
+    return {"style": _raw("templates/style.css"), "slider": _raw("templates/slider.js"), "viewer": scripts}
 
 
 def views(fractals: list[str]) -> list[dict[str, str]]:

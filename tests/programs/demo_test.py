@@ -53,8 +53,8 @@ class DemoTest(unittest.TestCase):
     def tearDownClass(cls):
         shutil.rmtree(cls.folder)
 
-    def page_of(self, change):
-        """Returns the page that is made after `change` has changed the content of demo.json."""
+    def made(self, change):
+        """Makes the page after `change` has changed the content of demo.json. Returns the process and the page."""
         folder = Path(tempfile.mkdtemp(dir=self.folder))
         shutil.copytree(self.small, folder, dirs_exist_ok=True)
         table = json.loads(text_of(folder / "demo.json"))
@@ -64,6 +64,11 @@ class DemoTest(unittest.TestCase):
         done = run("python3", "-m", "mandelreport.demo", "--folder", folder, "--programs", BIN, "--output", page,
                    PYTHONPATH="report", PYTHONDONTWRITEBYTECODE="1")
         return done, text_of(page)
+
+    def page_of(self, change):
+        done, text = self.made(change)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return text
 
     def test_it_succeeds_and_ends_with_the_path(self):
         self.assertEqual(self.done.returncode, 0, self.done.stderr)
@@ -102,8 +107,7 @@ class DemoTest(unittest.TestCase):
 
         counts = []
         for change in (lambda table: None, spoil):
-            done, text = self.page_of(change)
-            self.assertEqual(done.returncode, 0, done.stderr)
+            text = self.page_of(change)
             head = re.search(r"(\d+) backends gave the same bits\s+\((.*?)\)", text)
             self.assertEqual(int(head[1]), len(head[2].split(", ")))
             counts.append(int(head[1]))
@@ -112,8 +116,7 @@ class DemoTest(unittest.TestCase):
         self.assertEqual(counts[1], counts[0] - 1)
 
     def test_a_page_without_a_still_and_a_film_names_them(self):
-        done, text = self.page_of(lambda table: None)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        text = self.page_of(lambda table: None)
         for part in ("still", "film"):
             self.assertIn(f"<strong>No {part}:</strong>", text)
         self.assertNotRegex(text, "data:(image/jpeg|video)")
@@ -142,8 +145,7 @@ class DemoTest(unittest.TestCase):
                     row.update(backend="openacc" if hosted else "openmp", is_gpu=is_gpu)
                     row["device"] = "host, one thread" if hosted else table["cpu"]
 
-            done, text = self.page_of(rename)
-            self.assertEqual(done.returncode, 0, done.stderr)
+            text = self.page_of(rename)
             bars = re.findall(r'<span class="name">openacc(.*?)</span><span><span class="bar(.*?)"', text)
             wanted = ("", "") if is_gpu else (" (host, one thread)", " hatched")
             self.assertEqual(set(bars), {wanted})
@@ -157,8 +159,7 @@ class DemoTest(unittest.TestCase):
             for name in ("first", "second"):
                 table["rows"].append(table["rows"][0] | {"backend": name, "drawn": False, "picture": "", "said": "not built"})
 
-        done, text = self.page_of(remove)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        text = self.page_of(remove)
         self.assertEqual(text.count("not built"), 1)
         self.assertIn("<code>first</code>, <code>second</code> (not built)", text)
 
@@ -174,8 +175,7 @@ class DemoTest(unittest.TestCase):
             row = next(row for row in table["rows"] if row["backend"] == "openmp")
             row.update(fine=False, said="OTHER BITS")
 
-        done, text = self.page_of(fail)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        text = self.page_of(fail)
         self.assertRegex(text, r"<strong>FAILED:</strong> \w+, openmp, double, exact: OTHER BITS")
         self.assertNotIn("<strong>FAILED", self.text)
 
@@ -183,7 +183,7 @@ class DemoTest(unittest.TestCase):
         for change in (lambda table: table.update(rows=[]), lambda table: table["rows"][0].pop("said"),
                        lambda table: table["rows"][0].update(picture="none.png"),
                        lambda table: table["rows"][0].update(picture="../../../../etc/passwd")):
-            done, text = self.page_of(change)
+            done, text = self.made(change)
             self.assertEqual((done.returncode, text, done.stderr.count("\n")), (2, "", 1), done.stderr)
 
     def test_pictures_that_cannot_be_written_cost_no_table(self):

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -17,13 +16,12 @@ sys.path[:0] = [str(ROOT / "report"), str(Path(__file__).parent)]
 
 import made  # noqa: E402
 import made_programs  # noqa: E402
-from mandelreport.figures import style, sweeps, timings  # noqa: E402
-from mandelreport.backends import Backends  # noqa: E402
-from mandelreport.bench import Bench  # noqa: E402
-from mandelreport.blocks import Numbers, ref  # noqa: E402
+from mandelreport import charts  # noqa: E402
+from mandelreport.bench import Backends, Bench  # noqa: E402
 from mandelreport.errors import write_whole  # noqa: E402
 from mandelreport.pictures import Cache, Key, Studio  # noqa: E402
-from mandelreport.sections import Material, parallel  # noqa: E402
+from mandelreport.sections import Material, speed, sweeps, tables, why  # noqa: E402
+from mandelreport.text import digits  # noqa: E402
 
 
 class PartsTest(unittest.TestCase):
@@ -31,15 +29,6 @@ class PartsTest(unittest.TestCase):
         holder = tempfile.TemporaryDirectory()
         self.addCleanup(holder.cleanup)
         self.folder = Path(holder.name)
-
-    def test_references_name_kind_and_number(self) -> None:
-        numbers = Numbers()
-        self.assertEqual([numbers.next("figure"), numbers.next("table", "times"), numbers.next("figure", "map-1")], [1, 1, 2])
-        self.assertEqual(
-            numbers.resolved(f"{ref('map-1')}, {ref('times')}"),
-            '<a class="name" href="#figure-2">Figure 2</a>, <a class="name" href="#table-1">Table 1</a>',
-        )
-        self.assertEqual(numbers.resolved(ref("other")), "a figure or table without data")
 
     def test_files_are_written_as_the_programs_write_them(self) -> None:
         new, kept, link = self.folder / "new", self.folder / "kept", self.folder / "link"
@@ -58,19 +47,23 @@ class PartsTest(unittest.TestCase):
         write_whole(pipe, b"through")
         self.assertEqual((os.read(reader, 99), pipe.is_fifo()), (b"through", True))
         os.close(reader)
-        # A name that anybody can foretell is not used, and a link to standard output is not replaced.
+        # A name that anybody can foretell is not used.
         (self.folder / "new.part").symlink_to("kept")
         write_whole(new, b"again")
-        (self.folder / "screen").symlink_to("/dev/stdout")
-        command = "import sys; from pathlib import Path; from mandelreport.errors import write_whole; [write_whole(Path(name), b'said') for name in sys.argv[1:]]"
-        with open(self.folder / "said", "w+b") as said:
-            subprocess.run([sys.executable, "-c", command, "-", self.folder / "screen"], stdout=said, check=True, env=os.environ | {"PYTHONPATH": ROOT / "report"})
-            said.seek(0)
-            self.assertEqual(said.read(), b"saidsaid")
         self.assertEqual((kept.read_bytes(), new.read_bytes()), (b"text", b"again"))
         with self.assertRaisesRegex(OSError, "^/dev/full: No space left on device$"):
             write_whole(Path("/dev/full"), b"text")
         self.assertEqual(list(self.folder.glob(".*")), [])
+
+    def test_blank_lines_and_comments_are_not_code(self) -> None:
+        for text, lines in (
+            ("\n  // b\nint c; // d\n", 1),
+            ("/* a\nint b;\n*/ int c;\n", 1),
+            ('f("// no comment");\n"/*" + a;\nb;', 3),
+            ('"\\"/*";\na;\n', 2),
+            ("/* no end\nb;", 0),
+        ):
+            self.assertEqual(tables.code_lines(text), lines, text)
 
     def test_pictures_are_of_the_devices_that_are_here(self) -> None:
         programs = made_programs.programs(self.folder / "bin")
@@ -89,61 +82,58 @@ class PartsTest(unittest.TestCase):
 
     def test_threads_of_two_cores_have_no_figure(self) -> None:
         def of(cores: int) -> dict[str, object]:
-            data = made.sweep("threads", "threads", ["1", "2", "4", "8"])
+            data = made.stored("threads.json")
             data["environment"]["cpu"]["cores_usable"] = cores
             results = made.read(self.folder / f"results{cores}", {"threads.json": data})
-            return parallel.section(Material(results, Studio(self.folder, Cache(self.folder)), self.folder))
+            return sweeps.parallel(Material(results, Studio(self.folder, Cache(self.folder)), self.folder))
 
         self.assertEqual(of(2)["threads"], [])
         self.assertEqual([block.kind for block in of(4)["threads"]], ["figure"])
 
     def test_double_over_float_has_every_ratio(self) -> None:
         data = made.bench()
-        pairs = [(f"mandelbulb/double/{mode}/{backend}/0", mode, backend) for mode in ("exact", "fast") for backend in ("openmp", "vulkan")]
-        data["questions"]["double_to_float"] = [
-            {"numerator": name, "denominator": name.replace("double", "float"), "ratio": made.summary(1.25 + k)} for k, (name, *_) in enumerate(pairs)
-        ]
         bench = Bench("made", Path("made"), data)
-        figure = timings.double_to_float(bench, Backends.of(bench.environment["backends"], ["vulkan"]))
-        for k, (_, mode, backend) in enumerate(pairs):
-            self.assertIn(f"mandelbulb, {mode}, {backend}: {1.25 + k:.2f}", figure.alt)
-        self.assertIsNone(timings.double_to_float(Bench("made", Path("made"), made.bench()), Backends()))
+        backends = Backends.of(bench.environment["backends"])
+        figure = why.double_to_float(bench, backends)
+        for ratio in bench.ratios("double_to_float"):
+            row = bench.named(ratio.numerator)
+            self.assertIn(f"{row.fractal}, {row.mode}, {row.label}: {digits(ratio.times.median)}", figure.alt)
+        data["questions"]["double_to_float"] = []
+        self.assertIsNone(why.double_to_float(bench, backends))
 
     def test_colours_follow_the_registration(self) -> None:
         registered = ["reference", "openmp", "openacc", "opencl", "vulkan"]
-        colours = {"openmp": style.BLUE, "openacc": style.ORANGE, "opencl": style.GREEN, "vulkan": style.RED}
+        colours = {"openmp": charts.BLUE, "openacc": charts.ORANGE, "opencl": charts.GREEN, "vulkan": charts.RED}
 
         def of(names: list[str], **roles: str) -> Backends:
             return Backends.of([{"name": name} | ({"role": roles[name]} if name in roles else {}) for name in names])
 
         def looks(backends: Backends) -> dict[str, str]:
-            return {name: style.look(backends.number_of(name))["facecolor"] for name in backends.names}
+            return {name: charts.line(backends.number_of(name))["color"] for name in backends.names}
 
-        self.assertEqual(looks(of(registered)), colours | {"reference": style.SKY})
+        self.assertEqual(looks(of(registered)), colours | {"reference": charts.SKY})
         # A new backend in the registry gets a new colour; the others keep theirs.
         more = of([*registered, "skeleton"])
-        self.assertEqual(looks(more), colours | {"skeleton": style.SKY, "reference": style.PURPLE})
+        self.assertEqual(looks(more), colours | {"skeleton": charts.SKY, "reference": charts.PURPLE})
         self.assertEqual(more.order(["skeleton", "vulkan 1", "vulkan", "openmp"]), ["openmp", "vulkan", "vulkan 1", "skeleton"])
         # A backend that is not in the registry gets the next number.
         self.assertEqual(of(registered).number_of("skeleton"), len(registered))
-        # Even if there are more series than colours, all series look different, as bars and as lines.
-        many = [f"backend{number}" for number in range(40)]
-        for kind in style.look, style.line:
-            self.assertEqual(len({str(kind(of(many).number_of(name))) for name in many}), 40)
+        # Even if there are more series than colours, all series look different.
+        self.assertEqual(len({str(charts.line(number)) for number in range(40)}), 40)
         # If a result states the roles of backends, the roles decide which backend is the reference and which is the
         # host. The names do not matter.
         renamed = of(["oracle", "cores"], oracle="reference", cores="host")
         self.assertEqual((renamed.names, renamed.reference, renamed.host), (("cores", "oracle"), "oracle", "cores"))
 
     def test_a_registered_backend_is_in_the_figures(self) -> None:
-        data = made.with_scalar()
+        data = made.bench()
         data["environment"]["backends"] += [{**data["environment"]["backends"][0], "name": "skeleton", "role": ""}]
-        data["rows"] += [made.row("mandelbulb", "float", "exact", "skeleton", 0.01)]
+        data["rows"] += [row | {"backend": "skeleton", "application": "skeleton"} for row in data["rows"][-1:]]
         bench = Bench("made", Path("made"), data)
         registered = bench.environment["backends"]
-        figure = timings.over_scalar(bench, Backends.of(registered))
+        figure = speed.over_scalar(bench, Backends.of(registered))
         self.assertIn("skeleton", str(figure.alt))
-        self.assertNotEqual(figure, timings.over_scalar(bench, Backends.of(registered[::-1])))
+        self.assertNotEqual(figure, speed.over_scalar(bench, Backends.of(registered[::-1])))
 
     def test_machines_are_compared_at_one_size(self) -> None:
         def of(machine: str, runs: int, side: int) -> dict[str, object]:
@@ -176,10 +166,10 @@ class PartsTest(unittest.TestCase):
         self.assertEqual(found.primary().name, "a.json")
 
     def test_negative_levels_have_an_axis(self) -> None:
-        study = made.sweep("detail", "detail", ["-2", "-3", "-4"])
+        study = made.stored("detail.json")
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # matplotlib warns if a logarithmic axis loses points
-            self.assertIsNotNone(sweeps.sweep(Bench("made", Path("made"), study), "D", "ms", "caption"))
+            self.assertIsNotNone(sweeps.figure_of(Bench("made", Path("made"), study), "D", "ms", "caption"))
 
 
 if __name__ == "__main__":

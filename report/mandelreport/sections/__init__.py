@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..answers import Answers
-from ..backends import Backends
+from ..bench import Backends
 from ..errors import output_of
 from ..pictures import Studio
 from ..results import Results

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Environments of all measurements: a line for each result of the standard study, for each machine and build, for each
+"""Method of the measurements, and environments of all of them: a line for each result of the standard study, for each machine and build, for each
 set of compiler, flags and driver, and for each other file."""
 
 from collections.abc import Iterable, Sequence
@@ -8,7 +8,35 @@ from typing import Any
 from ..bench import Bench
 from ..blocks import Missing, Table
 from . import Material
-from .method import instructions
+
+
+def instructions(bench: Bench, host: str) -> str:
+    rows = [row for row in bench.timed(backend=host) if row.instruction_set]
+    return ", ".join(dict.fromkeys(row.instruction_set for row in rows))
+
+
+def method(material: Material) -> dict[str, Any]:
+    rows = []
+    for bench in material.results.study("standard"):
+        git = bench.environment["git"]
+        rows.append(
+            [
+                material.letter(bench.name),
+                bench.name,
+                bench.machine,
+                bench.size.replace(" x ", "\N{NO-BREAK SPACE}x\N{NO-BREAK SPACE}"),
+                str(bench.data["runs"]),
+                instructions(bench, material.backends.host).replace("-", "\N{NON-BREAKING HYPHEN}"),
+                git["revision"][:7] + (" and changes" if git["dirty"] and git["revision"] != "unknown" else ""),
+            ]
+        )
+    table = Table(
+        ["", "file", "machine", "pixels", "runs", "SIMD", "revision"],
+        rows,
+        "Results of the standard study. Appendix E uses their letters.",
+        [4],
+    )
+    return {"table": table if rows else Missing("The results", "make bench")}
 
 
 def _gpus(environment: dict[str, Any]) -> str:
@@ -97,7 +125,13 @@ def _tables(material: Material) -> list[Table]:
     ]
 
 
-def section(material: Material) -> dict[str, Any]:
+def discussion(material: Material) -> dict[str, Any]:
+    results = material.results
+    machines = list(dict.fromkeys(bench.machine for bench in results.benches))
+    return {"machines": machines, "compilers": results.host_compilers(), "gpu_measured": results.gpu_measured()}
+
+
+def environments(material: Material) -> dict[str, Any]:
     others = [
         [b.name, b.study, b.machine, str(b.data["runs"]), b.environment["git"]["revision"][:12], b.environment["date"][:10]]
         for b in material.results.benches

@@ -3,9 +3,9 @@
 
 from typing import Any
 
-from ..bench import Bench, Row
-from ..blocks import Missing, Table
-from ..figures.front import times
+from .. import charts
+from ..bench import Backends, Bench, Row
+from ..blocks import Figure, Missing, Table
 from ..text import digits, join
 from . import Material
 
@@ -20,15 +20,41 @@ RUNGS = {
     "threads": "all threads",
 }
 
+KINDS = [(precision, mode) for mode in charts.MARKS for precision in ("double", "float")]
 
-def _gain(bench: Bench, question: str, row: Row | None) -> list[str]:
+def _times(bench: Bench, backends: Backends) -> Figure:
+    """Shows the times, with the reference last, in a figure that is narrow enough for a phone or beside text."""
+    rows = [row for row in bench.all_rows if row.timed]
+    dots = [
+        charts.Dot(
+            row.fractal,
+            row.label,
+            row.kernel.scaled(1e3),
+            backends.number_of(row.backend),
+            KINDS.index((row.precision, row.mode)),
+            f"{row.fractal}, {row.label}, {row.precision}, {row.mode}",
+            filled=row.precision == "double",
+            marker=charts.MARKS[row.mode],
+        )
+        for row in rows
+    ]
+    title = "kernel time per picture [ms], logarithmic"
+    figure = charts.dots(dots, backends.order((row.label for row in rows)), title, columns=1, width=4, base=10, even=False)
+    return charts.block(
+        figure,
+        "Kernel times in ms as points with intervals. " + charts.values_of(dots),
+        f"Kernel time of one picture of {bench.size} pixels, median and 95 % interval; {bench.machine}, {bench.name}. Filled marks: double; "
+        "open marks: float; squares: fast mode.",
+        wide=False,
+    )
+
+def _gain(question: str, row: Row | None) -> list[str]:
     """Returns the cells of a rung's gain and of its interval."""
-    ratio = bench.compared(question, row) if row else None
+    ratio = row.compared(question) if row else None
     if ratio is None:
         return ["", ""]
     gain = ratio.inverse()
     return [digits(gain.median), f"[{', '.join(map(digits, gain.interval))}]" if gain.interval else ""]
-
 
 def _ladder(bench: Bench) -> Table:
     """Returns a table with a line for each rung and one for all rungs together, and three columns for each fractal."""
@@ -39,14 +65,13 @@ def _ladder(bench: Bench) -> Table:
         name = value.partition("=")[2]
         line = [RUNGS.get(name, name)]
         for row in (rows.get((fractal, value)) for fractal in fractals):
-            line += [f"{1e3 * row.kernel.median:,.1f}" if row else "–", *_gain(bench, "to_previous_value", row)]
+            line += [f"{1e3 * row.kernel.median:,.1f}" if row else "–", *_gain("to_previous_value", row)]
         lines.append(line)
     last = [rows.get((fractal, values[-1])) for fractal in fractals]
-    lines.append(["all together", *(cell for row in last for cell in ("", *_gain(bench, "to_first_value", row)))])
+    lines.append(["all together", *(cell for row in last for cell in ("", *_gain("to_first_value", row)))])
     headers = ["rung", *(header for fractal in fractals for header in (f"{fractal}, ms", "gain", "interval"))]
     caption = f"Kernel time of {bench.size} pixels, and gain over the rung before ({bench.machine}, {bench.name})."
     return Table(headers, lines, caption, list(range(1, len(headers))))
-
 
 def section(material: Material) -> dict[str, Any]:
     answers = material.answers
@@ -65,7 +90,7 @@ def section(material: Material) -> dict[str, Any]:
         "float": answers.float_or_double(),
         "gpu": answers.gpu(),
         "film": answers.film(),
-        "figure": times(answers.primary, material.backends) if answers.primary else None,
+        "figure": _times(answers.primary, material.backends) if answers.primary else None,
         "bench": Missing("This answer", "make bench"),
         "no_gpu": Missing("This answer", "make gpu-results"),
         "no_film": Missing("This answer", "bin/flythrough film --output video.mp4 --summary results/film.json"),

@@ -2,16 +2,20 @@
 """Tables of the primary study and of performance portability. All results of the standard study are in a CSV file."""
 
 import json
+import re
 from typing import Any
 
-from ..bench import Bench, Row
-from ..blocks import Missing, Table, data_uri
+from .. import charts
+from ..bench import Backends, Bench, Row
+from ..blocks import Figure, Missing, Table, data_uri
 from ..errors import output_of
-from ..figures import portability
-from ..models import label
+from ..pictures import ROOT
 from ..text import digits, ms, percent, with_interval
 from . import Material
 from .why import factor_table
+
+STRING_OR_COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"?|//[^\n]*|/\*.*?(?:\*/|\Z)', re.S)
+SOURCES = {".h", ".cpp", ".cl", ".comp", ".cu", ".in"}
 
 
 def time_cell(row: Row | None) -> str:
@@ -34,20 +38,20 @@ def timings(material: Material, bench: Bench) -> Table:
     host, backends = material.backends.host, material.backends
 
     def work(row: Row) -> str:
-        share = bench.work_over_scalar(row, host)
+        share = row.work_over_scalar(host)
         return "–" if share is None else digits(share)
 
     def place(row: Row) -> list[int]:
-        return [names.index(name) for name, names in zip((*row.kind, label(row)), orders)]
+        return [names.index(name) for name, names in zip((*row.kind, row.label), orders)]
 
     rows = [row for row in bench.all_rows if row.timed]
-    orders = [*(list(dict.fromkeys(row.data[key] for row in rows)) for key in ("fractal", "precision", "mode")), backends.order(map(label, rows))]
+    orders = [*(list(dict.fromkeys(row.data[key] for row in rows)) for key in ("fractal", "precision", "mode")), backends.order((row.label for row in rows))]
     return Table(
         ["fractal", "precision", "mode", "backend", "kernel ms", "over serial", "over scalar", "operations / scalar's", "share of peak", "picture"],
         [
             [
                 *row.kind,
-                label(row),
+                row.label,
                 time_cell(row),
                 quotient_cell(row, "speed_up"),
                 quotient_cell(row, "over_scalar"),
@@ -135,12 +139,65 @@ def _simd_widths(material: Material) -> Table | None:
     return Table(headers, rows, "Speed-up of packs over the scalar kernel on the same threads.", [4, 5, 6]) if rows else None
 
 
-def lines_of_code(models: list[dict[str, Any]]) -> Table:
-    rows = [[str(m[key]) for key in ("backend", "lines", "lines_of_job", "lines_of_kernel")] for m in models]
-    return Table(["backend", "own lines", "of core/models", "of core/kernel"], rows, "Lines of code that each backend needs.", [1, 2, 3])
+def code_lines(text: str) -> int:
+    """Returns the number of lines of a C or C++ source that are neither blank nor comments."""
+    code = STRING_OR_COMMENT.sub(lambda found: found[0] if found[0][0] == '"' else "\n" * found[0].count("\n"), text)
+    return sum(bool(line.strip()) for line in code.split("\n"))
 
 
-def section(material: Material) -> dict[str, Any]:
+def _lines_of_code(backends: Backends) -> Table:
+    """Counts the lines of the source folder in which the report is made."""
+
+    def count(folder: str) -> int:
+        files = (path for path in (ROOT / folder).rglob("*") if path.suffix in SOURCES)
+        return sum(code_lines(path.read_text(encoding="utf-8", errors="replace")) for path in files)
+
+    folders = [*(f"backends/{name}" for name in backends.names), "core/models", "core/kernel"]
+    rows = [[folder, str(lines)] for folder in folders if (lines := count(folder))]
+    caption = "Lines of code of each backend's folder, of the common part of models that run the scalar kernel in a loop, and of the kernel source."
+    return Table(["folder", "lines"], rows, caption, [1])
+
+
+def _cascade(entries: list[dict[str, Any]], backends: Backends) -> Figure | None:
+    """Shows a panel for each fractal and mode, with a line for each backend and precision. The line's value at n is the
+    metric over the n platforms on which the efficiency is highest. Dashes show the efficiency on each platform."""
+    if not entries:
+        return None
+    fractals = list(dict.fromkeys(e["fractal"] for e in entries))
+    modes = list(dict.fromkeys(e["mode"] for e in entries))
+    platforms = max(len(e["cascade"]) for e in entries)
+    figure, axes = charts.panels(len(modes), len(fractals), 8, 2.5 * len(modes), sharex=True, sharey=True)
+    said = []
+    for i, mode in enumerate(modes):
+        for j, fractal in enumerate(fractals):
+            axis = axes[i][j]
+            here = [e for e in entries if e["fractal"] == fractal and e["mode"] == mode]
+            for entry in here:
+                look = charts.line(backends.number_of(entry["application"]))
+                x = [k + 1 + (0.04 if entry["precision"] == "float" else -0.04) for k in range(len(entry["cascade"]))]
+                fill = "full" if entry["precision"] == "double" else "none"
+                name = f"{entry['application']} {entry['precision']}"
+                axis.plot(x, [step["portability"] for step in entry["cascade"]], fillstyle=fill, label=name, **look)
+                axis.plot(
+                    x, [step["efficiency"] for step in entry["cascade"]], marker="_", linestyle="", color=look["color"]
+                )
+                said.append(f"{fractal} {mode} {name}: {digits(entry['by_application_efficiency'])}")
+            axis.set(title=f"{fractal}, {mode}", ylim=(0, 1.05), xlim=(0.5, platforms + 0.5))
+            axis.set_xticks(range(1, platforms + 1))
+            if j == 0:
+                axis.set_ylabel("efficiency")
+            if i == len(modes) - 1:
+                axis.set_xlabel("platforms, best first")
+    charts.legend(figure, axes[0][0])
+    return charts.block(
+        figure,
+        "Cascade of Pennycook's metric by application efficiency. " + "; ".join(said) + ".",
+        "Cascade: the metric over the first 1, 2, ... platforms in order of decreasing efficiency (marks and lines), and the "
+        "efficiency on each platform (dashes). Filled marks: double; open marks: float.",
+    )
+
+
+def tables(material: Material) -> dict[str, Any]:
     entries = _portability(material)
     metric = [entry for entry in entries if not entry["not_measured"]]
     not_measured = {entry["application"]: entry["not_measured"] for entry in entries if entry["not_measured"]}
@@ -158,6 +215,6 @@ def section(material: Material) -> dict[str, Any]:
         "reasons": _reasons(material),
         "missing": Missing("The timings", "make bench"),
         "portability": _portability_table(metric, not_measured),
-        "cascade": portability.cascade(metric, material.backends),
-        "lines_of_code": lines_of_code(material.results.lines_of_code) if material.results.lines_of_code else None,
+        "cascade": _cascade(metric, material.backends),
+        "lines_of_code": _lines_of_code(material.backends),
     }
