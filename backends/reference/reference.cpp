@@ -197,9 +197,8 @@ public:
 
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
-        if (scene.colouring > 1) {
-            throw Unavailable(
-                fmt::format("backend reference: it draws the colouring types 0 and 1, not {}", scene.colouring));
+        if (scene.colouring > 1 || look_of(scene) != nullptr) {
+            throw Unavailable("backend reference: it draws the colouring types 0 and 1, and no looks");
         }
         const Estimator* estimator = estimator_of(*scene.fractal);
         if (estimator == nullptr) {
@@ -263,7 +262,7 @@ public:
     std::vector<Device> devices() const override { return {this_cpu()}; }
     bool draws(const Scene& scene) const override
     {
-        return scene.colouring <= 1 && ReferenceRenderer::knows(*scene.fractal);
+        return scene.colouring <= 1 && look_of(scene) == nullptr && ReferenceRenderer::knows(*scene.fractal);
     }
     std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
