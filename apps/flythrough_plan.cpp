@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/flythrough_plan.h"
-
+// The plan that flythrough's options describe.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
+#include "apps/flythrough_options.h"
 #include "core/text/console.h"
 #include "core/text/error.h"
 #include "core/text/text.h"
@@ -30,7 +30,7 @@ Scene scene_of(const Flythrough& options, bool warns = false)
         }
         scene = file.scene;
     }
-    scene.colouring = options.look.value_or(ChosenLook{}).colouring;
+    scene.colouring = options.film.picture.look.value_or(ChosenLook{}).colouring;
     scene.conservative = options.conservative;
     return scene;
 }
@@ -82,8 +82,13 @@ void check_plan(const Flythrough& options)
 Plan make_plan(const Flythrough& options)
 {
     const int wanted = planned_frames(options);
-    Plan made = plan(scene_of(options), schedule_of(options), options.seed, wanted, options.threads, log_plan, 0,
-                     places_of(options));
+    Plan made = plan({.scene = scene_of(options),
+                      .schedule = schedule_of(options),
+                      .seed = options.seed,
+                      .frames = wanted,
+                      .threads = options.threads,
+                      .log = log_plan,
+                      .places = places_of(options)});
     // A flight that ends at a place can be shorter.
     const auto flown = static_cast<int>(made.path.frames.size());
     const int frames = flown < wanted ? (flown - 1) * options.rate / frames_per_second + 1 : options.frames;

@@ -13,7 +13,7 @@
 #include "apps/renderer_options.h"
 #include "apps/scene_json.h"
 #include "apps/scene_options.h"
-#include "apps/stats.h"
+#include "apps/survey.h"
 #include "apps/survey.h"
 #include "core/text/console.h"
 #include "core/text/error.h"

@@ -19,11 +19,6 @@ constexpr double most_angular_jerk = 30;  // threshold, degrees / s^3
 constexpr double some_horizon = 0.25;     // the value of Tilt::horizon for a gaze 30 degrees from vertical
 constexpr double level = 30;              // degrees; a picture with a smaller tilt looks level
 
-constexpr double narrowing = 2;  // ratio of the clearances outside and inside a passage
-// Two passages count as one if the distance between them is less than the larger of these two lengths.
-constexpr double same_clearances = 2;  // clearances
-constexpr double same_size = 0.02;     // fractal sizes
-
 // Returns, for each frame but the last, the rotation from its camera to the next frame's. A rotation is a vector: its
 // direction is the axis, and its length is the angle in radians.
 std::vector<Vector> rotations(const Path& path)
@@ -92,40 +87,6 @@ Row level_row(const Path& path)
     }
     const double share = horizons > 0 ? 100.0 * static_cast<double>(held) / static_cast<double>(horizons) : 100;
     return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%"};
-}
-
-std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
-                                       std::span<const double> clearances)
-{
-    std::vector<Passage> passages;
-    std::vector<Vector> known;
-    // Once the clearance has fallen to half of `widest` or less, `least` holds the frame with the smallest clearance
-    // since then. `least` is a passage if the clearance then grows to twice the clearance of `least`.
-    double widest = 0;  // the largest clearance since the last passage
-    bool narrowed = false;
-    Passage least{0, 0};
-    for (std::size_t i = 0; i < clearances.size(); ++i) {
-        const double here = clearances[i];
-        if (!narrowed) {
-            widest = std::max(widest, here);
-            if (narrowing * here > widest) continue;
-            narrowed = true;
-            least = {i, here};
-            continue;
-        }
-        if (here < least.clearance) least = {i, here};
-        if (here < narrowing * least.clearance) continue;
-        narrowed = false;
-        widest = here;
-        const DistanceField& there = field(least.frame);
-        if (!there.bounds().contains(places[least.frame])) continue;
-        const Vector place = there.representative(places[least.frame]);
-        const double apart = std::max(same_clearances * least.clearance, same_size * there.bounds().size);
-        if (std::ranges::any_of(known, [&](Vector k) { return length(k - place) < apart; })) continue;
-        known.push_back(place);
-        passages.push_back(least);
-    }
-    return passages;
 }
 
 Stand longest_stand(std::span<const Vector> places, std::span<const double> radii)

@@ -23,20 +23,6 @@ std::vector<Row> jerk_rows(const Path& path, std::span<const double> clearances)
 // from vertical count.
 Row level_row(const Path& path);
 
-// A place at which a path's clearance falls to half or less and then at least doubles.
-struct Passage {
-    std::size_t frame;  // the passage's frame with the smallest clearance
-    double clearance;
-};
-
-// A function that returns the distance field of a frame.
-using FieldOf = std::function<const DistanceField&(std::size_t frame)>;
-
-// Returns the passages inside the bounds, from the positions and clearances of a path's frames. A passage is left out
-// if it is close to an earlier one, or if the fractal's symmetry maps it to a place close to an earlier one.
-std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
-                                       std::span<const double> clearances);
-
 // A stretch of frames in which the camera stays within a radius of its place in the first frame.
 struct Stand {
     std::size_t first = 0;      // index of the first frame

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/audit/runs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/error.h"
 #include "flight/field/threads.h"
 
 namespace mandelmarch {
@@ -12,6 +15,11 @@ namespace {
 constexpr int deepest = 7;     // limit on how often the time between two frames is halved
 constexpr double even = 0.25;  // "close" in free_between(), in units of the smaller clearance at the two ends
 
+constexpr double narrowing = 2;  // ratio of the clearances outside and inside a passage
+// Two passages count as one if the distance between them is less than the larger of these two lengths.
+constexpr double same_clearances = 2;  // clearances
+constexpr double same_size = 0.02;     // fractal sizes
+
 Scene halfway(const Scene& from, const Scene& to)
 {
     Scene scene = to;
@@ -19,6 +27,22 @@ Scene halfway(const Scene& from, const Scene& to)
     for (std::size_t i = 0; i < 3; ++i) scene.shape[i] = 0.5 * (from.shape[i] + to.shape[i]);
     scene.escape = 0.5 * (from.escape + to.escape);
     return scene;
+}
+
+// Returns the first frame of a chapter, and the first frame after it.
+std::pair<std::size_t, std::size_t> frames_of_chapter(const Path& path, Chapter chapter, int threads)
+{
+    const std::vector<Passage> passages = Runs(path, threads).passages();
+    const std::size_t end = path.frames.size();
+    const std::size_t first = passages.empty() ? end : passages.front().frame;
+    const std::size_t after = passages.empty() ? end : passages.back().frame + 1;
+    const auto [begin, behind] = chapter == Chapter::approach   ? std::pair<std::size_t, std::size_t>{0, first}
+                                 : chapter == Chapter::passages ? std::pair{first, after}
+                                                                : std::pair{after, end};
+    if (begin < behind) return {begin, behind};
+    throw InputError(fmt::format("--chapter: {} given, but this flight of {} frames has {} narrow place{}",
+                                 chapter_names[static_cast<std::size_t>(chapter)], end, passages.size(),
+                                 passages.size() == 1 ? "" : "s"));
 }
 
 }  // namespace
@@ -34,25 +58,25 @@ Runs::Runs(const Path& path, int threads) : path_(path)
         }
         runs_.back().last = i + 1;
         of_.push_back(runs_.size() - 1);
+        places_.push_back(path.frames[i].eye);
     }
-}
-
-std::vector<double> Runs::clearances() const
-{
-    std::vector<Vector> places;
-    for (const Frame& frame : path_.frames) places.push_back(frame.eye);
-    std::vector<double> clearances(places.size());
-    parallel(runs_.size(), 16, threads(), [&](std::size_t first, std::size_t last) {
+    clearances_.resize(places_.size());
+    parallel(runs_.size(), 16, this->threads(), [&](std::size_t first, std::size_t last) {
         for (std::size_t r = first; r < last; ++r) {
             const auto [begin, end] = std::pair(runs_[r].first, runs_[r].last);
-            runs_[r].field->distances(std::span(places).subspan(begin, end - begin),
-                                      std::span(clearances).subspan(begin, end - begin));
+            runs_[r].field->distances(std::span(places_).subspan(begin, end - begin),
+                                      std::span(clearances_).subspan(begin, end - begin));
         }
     });
-    return clearances;
 }
 
-bool Runs::free_before(std::size_t frame, std::span<const double> clearances) const
+std::vector<Passage> Runs::passages() const
+{
+    return distinct_passages([this](std::size_t frame) -> const DistanceField& { return field(frame); }, places_,
+                             clearances_);
+}
+
+bool Runs::free_before(std::size_t frame) const
 {
     const Vector from = path_.frames[frame - 1].eye;
     const Vector to = path_.frames[frame].eye;
@@ -62,10 +86,10 @@ bool Runs::free_before(std::size_t frame, std::span<const double> clearances) co
         const double floor = in_solid * shape.bounds().size;
         return way <= shape.safety() * clearance || shape.least_between(a, b, floor) > floor;
     };
-    if (!straight(field(frame), to, from, clearances[frame])) return false;
+    if (!straight(field(frame), to, from, clearances_[frame])) return false;
     if (!changed(frame)) return true;
-    if (!straight(field(frame - 1), from, to, clearances[frame - 1])) return false;
-    const auto moment = [&](std::size_t i) { return Moment{scene_of(path_, path_.frames[i], 16, 9), clearances[i]}; };
+    if (!straight(field(frame - 1), from, to, clearances_[frame - 1])) return false;
+    const auto moment = [&](std::size_t i) { return Moment{scene_of(path_, path_.frames[i], 16, 9), clearances_[i]}; };
     return free_between(moment(frame - 1), moment(frame), in_solid * field(frame).bounds().size, 0);
 }
 
@@ -80,12 +104,61 @@ bool Runs::free_between(const Moment& from, const Moment& to, double floor, int 
     return free_between(from, middle, floor, depth + 1) && free_between(middle, to, floor, depth + 1);
 }
 
-double Runs::wall_step(std::size_t frame, std::span<const double> clearances) const
+double Runs::wall_step(std::size_t frame) const
 {
     if (!changed(frame)) return 0;
     const double before = field(frame - 1).distance(path_.frames[frame].eye);
-    const double now = clearances[frame];
+    const double now = clearances_[frame];
     return std::abs(now - before) / std::max(std::min(now, before), 1e-300);
+}
+
+std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
+                                       std::span<const double> clearances)
+{
+    std::vector<Passage> passages;
+    std::vector<Vector> known;
+    // Once the clearance has fallen to half of `widest` or less, `least` holds the frame with the smallest clearance
+    // since then. `least` is a passage if the clearance then grows to twice the clearance of `least`.
+    double widest = 0;  // the largest clearance since the last passage
+    bool narrowed = false;
+    Passage least{0, 0};
+    for (std::size_t i = 0; i < clearances.size(); ++i) {
+        const double here = clearances[i];
+        if (!narrowed) {
+            widest = std::max(widest, here);
+            if (narrowing * here > widest) continue;
+            narrowed = true;
+            least = {i, here};
+            continue;
+        }
+        if (here < least.clearance) least = {i, here};
+        if (here < narrowing * least.clearance) continue;
+        narrowed = false;
+        widest = here;
+        const DistanceField& there = field(least.frame);
+        if (!there.bounds().contains(places[least.frame])) continue;
+        const Vector place = there.representative(places[least.frame]);
+        const double apart = std::max(same_clearances * least.clearance, same_size * there.bounds().size);
+        if (std::ranges::any_of(known, [&](Vector k) { return length(k - place) < apart; })) continue;
+        known.push_back(place);
+        passages.push_back(least);
+    }
+    return passages;
+}
+
+std::pair<std::size_t, std::size_t> frames_of(const Path& path, const Part& part, int threads)
+{
+    const auto [begin, behind] = part.chapter ? frames_of_chapter(path, *part.chapter, threads)
+                                              : std::pair<std::size_t, std::size_t>{0, path.frames.size()};
+    const auto frames = static_cast<double>(behind - begin);
+    const double rate = path.frames_per_second;
+    const double from = std::round(part.from.value_or(0) * rate);
+    const double to = std::round(part.to.value_or(frames / rate) * rate);
+    if (0 <= from && from < to && to <= frames) {
+        return {begin + static_cast<std::size_t>(from), begin + static_cast<std::size_t>(to) - 1};
+    }
+    throw InputError(fmt::format("--from, --to: {:.6g} to {:.6g} s given, expected a part of the {:.6g} s of the {}",
+                                 from / rate, to / rate, frames / rate, part.chapter ? "chapter" : "flight"));
 }
 
 }  // namespace mandelmarch

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The successive shapes of a path, each with its frames and its distance field.
+// The successive shapes of a path with their distance fields, and what follows from the clearances of its frames: the
+// narrow places that it passes, and its chapters.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "flight/field/field.h"
@@ -13,6 +19,20 @@ namespace mandelmarch {
 
 // The estimate, in fractal sizes, up to which a point counts as solid.
 inline constexpr double in_solid = 1e-5;
+
+// A place at which a path's clearance falls to half or less and then at least doubles.
+struct Passage {
+    std::size_t frame;  // the passage's frame with the smallest clearance
+    double clearance;
+};
+
+// A function that returns the distance field of a frame.
+using FieldOf = std::function<const DistanceField&(std::size_t frame)>;
+
+// Returns the passages inside the bounds, from the positions and clearances of a path's frames. A passage is left out
+// if it is close to an earlier one, or if the fractal's symmetry maps it to a place close to an earlier one.
+std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
+                                       std::span<const double> clearances);
 
 // Consecutive frames whose shape, iterations and escape radius are the same, and their distance field.
 struct Run {
@@ -31,17 +51,18 @@ public:
     bool changed(std::size_t frame) const { return frame > 0 && of_[frame] != of_[frame - 1]; }
     int threads() const { return runs_.front().field->threads(); }
 
-    // Returns the estimate at each frame's eye.
-    std::vector<double> clearances() const;
+    const std::vector<Vector>& places() const { return places_; }          // each frame's eye
+    const std::vector<double>& clearances() const { return clearances_; }  // the estimate at each frame's eye
+    std::vector<Passage> passages() const;                                 // distinct_passages()
 
     // Returns true if the camera meets no solid on its way from the previous frame to this one. The straight segment is
     // tested in the shapes of both frames. If the shapes differ, moments in between are tested as well, with position
-    // and shape interpolated linearly. `clearances`: the estimates at all frames' eyes.
-    bool free_before(std::size_t frame, std::span<const double> clearances) const;
+    // and shape interpolated linearly.
+    bool free_before(std::size_t frame) const;
 
     // Returns the difference of two estimates at the frame's eye, divided by the smaller of the two: one for the shape
     // of the previous frame, and one for the shape of this frame.
-    double wall_step(std::size_t frame, std::span<const double> clearances) const;
+    double wall_step(std::size_t frame) const;
 
 private:
     struct Moment {
@@ -56,6 +77,25 @@ private:
     const Path& path_;
     std::vector<Run> runs_;
     std::vector<std::size_t> of_;  // for each frame: its run's index
+    std::vector<Vector> places_;
+    std::vector<double> clearances_;
 };
+
+// approach: the frames before the first narrow place. passages: the frames from the first narrow place to the last one.
+// out: the frames after the last narrow place.
+enum class Chapter { approach, passages, out };
+inline constexpr std::array<std::string_view, 3> chapter_names{"approach", "passages", "out"};
+
+// A part of a flight.
+struct Part {
+    std::optional<Chapter> chapter;  // nullopt: the whole flight
+    std::optional<double> from, to;  // seconds since the beginning of the chapter
+
+    bool whole() const { return !chapter && !from && !to; }
+};
+
+// Returns the first and the last frame of a part that is not the whole flight. The narrow places are those that the
+// audit counts as distinct passages. Throws InputError if the flight does not have the chapter or the seconds.
+std::pair<std::size_t, std::size_t> frames_of(const Path& path, const Part& part, int threads);
 
 }  // namespace mandelmarch

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "flight/field/shapes.h"
+#include "flight/field/field.h"
 #include "flight/route/elastic_band.h"
 
 namespace mandelmarch {

@@ -66,11 +66,7 @@ std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::
 {
     const Runs runs(path, threads);
     const DistanceField& field = runs.field(0);
-    std::vector<Vector> at;
-    for (const Frame& frame : path.frames) at.push_back(frame.eye);
-    const std::vector<double> clearances = runs.clearances();
-    const auto passages =
-        distinct_passages([&](std::size_t frame) -> const DistanceField& { return runs.field(frame); }, at, clearances);
+    const std::vector<Vector>& at = runs.places();
     const auto whole = [](const Passage& passage) { return std::to_string(passage.frame); };
     return fmt::format(
         "{{\n\"format\": \"{}\",\n\"program\": \"{}\",\n\"fractal\": \"{}\",\n\"seed\": {},\n\"frames_per_second\": "
@@ -81,9 +77,9 @@ std::string map_of(const Path& path, const std::vector<Ball>& balls, const std::
         format_name, version_line("flythrough"), path.scene.fractal->name, path.seed, path.frames_per_second,
         field.bounds().shape == Bounds::Shape::cube ? "cube" : "sphere", number(field.bounds().size),
         number(field.safety()), balls.size(), gates.size(), places(field.bounds(), at, balls, most_balls),
-        places(field.bounds(), at, gates, most_gates), list(passages, whole),
+        places(field.bounds(), at, gates, most_gates), list(runs.passages(), whole),
         list(at, [](Vector v) { return number(v.x); }), list(at, [](Vector v) { return number(v.y); }),
-        list(at, [](Vector v) { return number(v.z); }), list(clearances, number), list(turns_of(path), number));
+        list(at, [](Vector v) { return number(v.z); }), list(runs.clearances(), number), list(turns_of(path), number));
 }
 
 }  // namespace mandelmarch

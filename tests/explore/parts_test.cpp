@@ -18,9 +18,9 @@
 #include "apps/explore/view/resolution_control.h"
 #include "apps/explore/model/settings.h"
 #include "apps/explore/model/shown_view.h"
-#include "apps/explore/model/start_views.h"
+#include "apps/explore/model/export.h"
 #include "apps/survey.h"
-#include "apps/explore/model/smooth.h"
+#include "apps/explore/model/path_editor.h"
 #include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/render/kernel_scene.h"
@@ -189,13 +189,10 @@ TEST(ExploreActions, NamesAndKeysAreUnique)
     EXPECT_EQ(action_named("fly"), nullptr);
 }
 
-// A model with the openmp backend alone, whose files go to a folder of its own, and the desktop of a test.
-class ExploreModel : public testing::Test, public Desktop {
+// A model with the openmp backend alone, whose files go to a folder of its own.
+class ExploreModel : public testing::Test {
 protected:
-    void toggle_full_screen() override {}
-    bool toggle_panel_focus() override { return false; }
-
-    void perform(const char* action) { action_named(action)->perform(model, *this); }
+    void perform(const char* action) { action_named(action)->perform(model); }
 
     const TemporaryFolder folder;
     Settings settings{.setup = {"openmp", 0, Precision::f64, Mode::exact}};

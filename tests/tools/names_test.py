@@ -20,7 +20,7 @@ ALLOWED = {
     "backends/reference/reference.cpp": "which estimators it has",
     "bench/result/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
     "bench/measure/views.cpp": "scenes of the studies, with defaults for other fractals",
-    "flight/path/measures.cpp": "measures of flights, with defaults for other fractals",
+    "flight/path/measures.h": "measures of flights, with defaults for other fractals",
     "report/mandelreport/answers.py": "the two fractals that the front page compares",
     "report/mandelreport/pictures.py": "the two scenes that the report shows",
     "report/mandelreport/sections/why.py": "the two fractals of that question",

@@ -7,12 +7,13 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <vector>
 
-#include "core/text/error.h"
 #include "core/os/input_file.h"
 #include "core/os/output_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/text/error.h"
 #include "flight/path/path.h"
 #include "flight/path/places.h"
 
@@ -105,6 +106,14 @@ std::size_t append_place(const std::string& file, const Scene& scene)
 Scene read_view(const std::string& file, const Fractal& hint)
 {
     return view_of_text(text_of_file(file, "parameter file"), file, hint);
+}
+
+std::span<const StartView> start_views()
+{
+    static const std::vector<StartView> embedded{
+#include "start_views.inc"
+    };
+    return embedded;
 }
 
 }  // namespace mandelmarch::explore

@@ -2,9 +2,11 @@
 // Export: writes the view as a parameter file, from which bin/render makes the same picture.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
-#include "apps/explore/model/setup.h"
+#include "apps/explore/model/settings.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::explore {
@@ -32,5 +34,14 @@ std::size_t append_place(const std::string& file, const Scene& scene);
 // file's name and line.
 Scene read_view(const std::string& file, const Fractal& hint);
 Scene view_of_text(const std::string& text, const std::string& name, const Fractal& hint);
+
+struct StartView {
+    std::string_view name;     // such as "reef"
+    std::string_view fractal;  // the fractal's name
+    std::string_view text;     // text of the parameter file
+};
+
+// Returns the views whose fractals this build has, sorted by name. May be empty.
+std::span<const StartView> start_views();
 
 }  // namespace mandelmarch::explore

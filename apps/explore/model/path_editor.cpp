@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "apps/explore/model/export.h"
-#include "apps/explore/model/smooth.h"
+#include "apps/explore/model/path_editor.h"
 #include "core/text/error.h"
 #include "core/os/output_file.h"
 #include "flight/film/film.h"
@@ -113,8 +113,9 @@ void PathEditor::plan(const Scene& scene, std::uint64_t seed, int frame_count)
     Scene shape = scene;
     shape.conservative = true;
     as_file(shape);
-    planning_.start(
-        [shape, seed, frame_count] { return mandelmarch::plan(shape, Schedule{}, seed, frame_count, 1).path; });
+    planning_.start([shape, seed, frame_count] {
+        return mandelmarch::plan({.scene = shape, .seed = seed, .frames = frame_count, .threads = 1}).path;
+    });
 }
 
 void PathEditor::film(const Registry& registry, const Setup& setup, const std::string& file, int width, int height)
@@ -144,7 +145,8 @@ std::string PathEditor::take_news()
         return fmt::format("a tour of seed {}, {} frames", path_.seed, frames());
     }
     if (!failure.empty()) return "planning: " + failure;
-    return news_of(filming_, "film");
+    const auto done = filming_.take(failure);
+    return done ? *done : failure.empty() ? "" : "film: " + failure;
 }
 
 }  // namespace mandelmarch::explore

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "apps/explore/model/setup.h"
+#include "apps/explore/model/settings.h"
 #include "apps/explore/model/task.h"
 #include "core/render/registry.h"
 #include "flight/path/path.h"
@@ -56,5 +56,13 @@ private:
     Task<Path> planning_;
     Task<std::string> filming_;
 };
+
+// Returns a frame whose camera lies between the cameras of `a` (share 0) and `b` (share 1). Its changes to the scene
+// are those of the closer frame.
+Frame between(const Frame& a, const Frame& b, double share);
+
+// Returns a smoothed path. If smoothing would bring a camera too close to walls, the camera is moved less. Where a step
+// or a turn would come close to the audit's limit, frames are added, which makes the flight slower.
+Path smoothed(const Path& path);
 
 }  // namespace mandelmarch::explore

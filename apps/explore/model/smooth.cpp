@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/explore/model/smooth.h"
+#include "apps/explore/model/path_editor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ std::vector<double> needed(const Path& path)
 {
     const std::vector<double> turns = turns_of(path);
     const DistanceField field(scene_of(path, path.frames.front(), 16, 9), 1);
-    const double bar = most_step * flight_measures(*path.scene.fractal).limits.step;
+    const double bar = most_step * flight_measures(*path.scene.fractal).step;
     std::vector<double> frames(path.frames.size() - 1, 1);
     double before = field.distance(path.frames.front().eye);
     for (std::size_t i = 1; i < path.frames.size(); ++i) {

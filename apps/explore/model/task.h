@@ -41,13 +41,4 @@ private:
     std::future<Result> result_;
 };
 
-// Returns the result of a task or, if the task has failed, `name` and the error's message. Only the
-// first call after the task has ended returns one of these; other calls return "".
-inline std::string news_of(Task<std::string>& task, const std::string& name)
-{
-    std::string failure;
-    const auto done = task.take(failure);
-    return done ? *done : failure.empty() ? "" : name + ": " + failure;
-}
-
 }  // namespace mandelmarch::explore

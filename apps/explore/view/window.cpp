@@ -206,11 +206,4 @@ void Window::toggle_full_screen()
     SDL_SetWindowFullscreen(window_, is ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
 }
 
-bool Window::toggle_panel_focus()
-{
-    focus_ = !ImGui::GetIO().NavActive || !ImGui::GetIO().WantCaptureKeyboard;
-    if (!focus_) ImGui::SetWindowFocus(nullptr);
-    return focus_;
-}
-
 }  // namespace mandelmarch::explore
