@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "apps/cli/backend_option.h"
+#include "apps/cli/options.h"
 #include "apps/flythrough_options.h"
 #include "backends/all.h"
 #include "core/text/console.h"

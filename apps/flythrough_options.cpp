@@ -8,9 +8,7 @@
 #include <array>
 #include <tuple>
 
-#include "apps/cli/backend_option.h"
-#include "apps/cli/option_values.h"
-#include "apps/scene_options.h"
+#include "apps/cli/options.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
 #include "core/os/input_file.h"

@@ -10,7 +10,7 @@
 #include "core/os/files.h"
 #include "core/render/registry.h"
 #include "core/scene/fractal.h"
-#include "flight/audit/runs.h"
+#include "flight/audit/motion.h"
 #include "flight/film/film.h"
 #include "flight/ride/planner.h"
 

@@ -11,7 +11,6 @@
 #include "core/text/version.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/motion.h"
-#include "flight/audit/runs.h"
 #include "flight/audit/views.h"
 #include "flight/field/threads.h"
 #include "flight/path/measures.h"

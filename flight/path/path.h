@@ -25,8 +25,6 @@ struct Changes {
     std::optional<double> escape;
     std::optional<int> colouring;
     std::optional<double> brightness;
-
-    bool none() const { return !detail && !shape && !iterations && !escape && !colouring && !brightness; }
 };
 
 struct Frame {

@@ -19,7 +19,6 @@
 #include "flight/ride/pacing.h"
 #include "flight/ride/trajectory.h"
 #include "flight/route/roadmap.h"
-#include "flight/ride/stops.h"
 #include "flight/ride/visits.h"
 
 namespace mandelmarch {

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "core/text/error.h"
-#include "flight/audit/runs.h"
+#include "flight/audit/motion.h"
 #include "flight/audit/views.h"
 #include "flight/path/path.h"
 #include "flight/ride/director.h"
 #include "flight/route/search.h"
-#include "flight/ride/stops.h"
+#include "flight/ride/pacing.h"
 
 namespace mandelmarch {
 namespace {

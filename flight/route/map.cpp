@@ -12,7 +12,6 @@
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
 #include "flight/audit/motion.h"
-#include "flight/audit/runs.h"
 
 namespace mandelmarch {
 namespace {

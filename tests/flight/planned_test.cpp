@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "flight/audit/runs.h"
+#include "flight/audit/motion.h"
 #include "flight/audit/views.h"
 #include "flight/ride/planner.h"
 #include "tests/flight/rows.h"

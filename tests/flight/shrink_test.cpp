@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "flight/film/shrink.h"
+#include "flight/film/frames.h"
 
 namespace mandelmarch {
 namespace {

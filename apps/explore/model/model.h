@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/explore/model/export.h"
+#include "apps/explore/model/files.h"
 #include "apps/explore/model/motion.h"
 #include "apps/explore/model/path_editor.h"
-#include "apps/explore/model/settings.h"
 #include "apps/explore/model/shown_view.h"
-#include "apps/explore/model/export.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::explore {

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/explore/model/export.h"
-#include "apps/explore/model/path_editor.h"
+#include "apps/explore/model/files.h"
 #include "core/text/error.h"
 #include "core/os/output_file.h"
 #include "flight/film/film.h"
