@@ -55,7 +55,7 @@ bool goes_to_stdout(const std::string& file)
 bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend)
 {
     tell_audit(path);
-    Audit result = audit(path, options.threads, planning);
+    Audit result = audit(path, options.plan.threads, planning);
     std::ranges::move(truth_rows(path, backend, options.film.renderer, options.film.picture),
                       std::inserter(result.rows, std::ranges::find(result.rows, false, &Row::promise)));
     const auto taken = options.written();
@@ -71,12 +71,12 @@ bool show_audit(const Flythrough& options, const Path& path, double planning, co
 
 void write_map(const Flythrough& options, const Plan& made)
 {
-    if (!options.map.empty()) write_file(options.map, map_of(made.path, made.balls, made.gates, options.threads));
+    if (!options.map.empty()) write_file(options.map, map_of(made.path, made.balls, made.gates, options.plan.threads));
 }
 
-// Throws InputError if an output file cannot be written or is the same as another file, or if the fractal cannot be
-// flown through. Called before any work is done.
-void check_outputs(const Flythrough& options)
+// Reads the files that describe a plan. Throws InputError as read_plan() does, or if an output file cannot be written
+// or is the same as another file. Called before any work is done.
+void check_files(Flythrough& options)
 {
     std::vector<NamedFile> files = options.written();
     if (options.makes_film() && !OutputFile::is_stream(options.film.output)) {
@@ -87,8 +87,7 @@ void check_outputs(const Flythrough& options)
     for (const NamedFile& file : options.written()) {
         if (!file.path.empty()) OutputFile::check(file.path);
     }
-    if (options.reads_path()) return;
-    check_plan(options);
+    if (!options.reads_path()) options.plan = read_plan(options);
 }
 
 int plan_command(const Flythrough& options, const Backend& backend)
@@ -115,7 +114,7 @@ RendererOptions renderer_of(const Flythrough& options, const Backend& backend, c
 {
     RendererOptions renderer = options.film.renderer;
     renderer.counts = false;
-    renderer.threads = options.threads > 0 ? options.threads : threads_for(ranks.local_size());
+    renderer.threads = options.plan.threads > 0 ? options.plan.threads : threads_for(ranks.local_size());
     std::vector<int> gpus;
     const std::vector<Device> devices = backend.devices();
     for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -130,7 +129,7 @@ RendererOptions renderer_of(const Flythrough& options, const Backend& backend, c
 void refuse_broken(const Path& path, const Flythrough& options)
 {
     tell_audit(path);
-    const Audit result = audit_promises(path, options.threads);
+    const Audit result = audit_promises(path, options.plan.threads);
     if (result.promises_kept()) return;
     say("{}", table_of(path, result));
     if (!options.force) throw Error("the path breaks a promise and is not rendered, unless --force is given");
@@ -151,7 +150,7 @@ void check_pictures(const FilmOptions& film, std::size_t frames, int rate)
 void choose_frames(Path& path, Flythrough& options)
 {
     FilmOptions& film = options.film;
-    if (!options.part.whole()) film.frames = frames_of(path, options.part, options.threads);
+    if (!options.part.whole()) film.frames = frames_of(path, options.part, options.plan.threads);
     if (film.every == 1 || !film.stills.empty()) return;
     const auto [first, last] = chosen_frames(film.frames, path.frames.size());
     std::vector<Frame> kept;
@@ -205,7 +204,7 @@ int render(const Flythrough& options, const Path& path, const Backend& backend, 
 int run(const Registry& registry, Flythrough options)
 {
     if (options.command == Command::plan || options.command == Command::audit) {
-        check_outputs(options);
+        check_files(options);
         const Backend& backend = chosen_backend(registry, options.backend, true);
         options.film.renderer = renderer_of(options, backend, *one_rank());
         static_cast<void>(backend.create(options.film.renderer));
@@ -214,9 +213,9 @@ int run(const Registry& registry, Flythrough options)
     }
     const auto ranks = make_ranks();
     try {
-        if (ranks->rank() == 0) check_outputs(options);
+        if (ranks->rank() == 0) check_files(options);
         if (!options.film.segments) refuse_singletons(*ranks);
-        const RendererOptions heeded{.threads = options.threads};
+        const RendererOptions heeded{.threads = options.plan.threads};
         const Backend& backend = chosen_backend(registry, options.backend, ranks->rank() == 0, heeded);
         refuse_unheeded(registry, backend, heeded);
         options.film.renderer = renderer_of(options, backend, *ranks);

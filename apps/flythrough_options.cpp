@@ -70,7 +70,7 @@ void add_planning(CLI::App& app, Flythrough& options)
 {
     add_fractal_option(app, options.fractal)->capture_default_str();
     app.add_option("--params", options.parameters, "take the fractal, not the camera, from this parameter file (.dat)");
-    app.add_option("--seed", options.seed, "random seed of the route")
+    app.add_option("--seed", options.plan.seed, "random seed of the route")
         ->check(whole(0, std::int64_t{1} << 53))
         ->capture_default_str();
     const std::string changing =
@@ -160,7 +160,7 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options)
                    "device of that backend, from 0 (default: each MPI rank uses its own GPU)")
         ->check(whole(0, 1'000'000));
     add_precision_options(app, options.film.renderer);
-    add_threads_option(app, options.threads);
+    add_threads_option(app, options.plan.threads);
     app.add_option_function<std::string>(
         "--look", [&](const std::string& text) { set_look(text, options); },
         fmt::format("look: number, name or file (default: {})", options.reads_path() ? "the path file's" : "coral"));

@@ -24,7 +24,7 @@ struct Flythrough {
     std::string parameters;  // a parameter file with the fractal
     std::string places;      // plan, film: a places file
     std::string fractal{fractals().front().name};
-    std::uint64_t seed = 1;
+    PlanOptions plan;              // completed by read_plan()
     int frames = 0;                // plan, film: length of the flight
     int rate = frames_per_second;  // plan, film: frames per second
     Part part;                     // film, render, preview: only this part of the path
@@ -32,9 +32,8 @@ struct Flythrough {
     bool conservative = true;      // plan, film: the kind of estimate; a path file contains its own
     std::string backend = "auto";
     std::optional<int> device;  // nullopt: each MPI rank uses its own GPU
-    int threads = 0;
-    std::string look_file;     // --look, if it names a file
-    std::string power, scale;  // schedules of these shape parameters as text, see parse_schedule(); empty: not given
+    std::string look_file;      // --look, if it names a file
+    std::string power, scale;   // schedules of these shape parameters as text, see parse_schedule(); empty: not given
     std::string json, map, summary;
     bool force = false;
     // The pictures, also for an audit. plan writes the path file to `output`.
@@ -54,9 +53,9 @@ struct Flythrough {
 // Throws InputError if an argument is invalid.
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done);
 
-// Prints warnings about the parameter file. Throws InputError if the fractal cannot be flown through, or if an input
-// file is invalid.
-void check_plan(const Flythrough& options);
+// Reads the files that describe the plan. Prints warnings about the parameter file. Throws InputError if the fractal
+// cannot be flown through, or if a file is invalid.
+PlanOptions read_plan(const Flythrough& options);
 
 // Plans the flight, with the number of frames and the frame rate of the options. Prints progress to stderr.
 Plan make_plan(const Flythrough& options);

@@ -20,34 +20,10 @@
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t block = 256;  // points per call of the kernel; a multiple of the number of lanes of every pack
-
-// Points in three coordinate arrays, as the kernel reads them. The last point is repeated to fill the last pack.
-struct Block {
-    std::array<double, block> x, y, z;
-
-    Block(std::span<const Vector> points, std::size_t padded)
-    {
-        for (std::size_t i = 0; i < padded; ++i) {
-            const Vector& p = points[std::min(i, points.size() - 1)];
-            x[i] = p.x;
-            y[i] = p.y;
-            z[i] = p.z;
-        }
-    }
-    field::Points points() const { return {x.data(), y.data(), z.data()}; }
-};
-
-std::size_t padded(std::size_t count, int lanes)
-{
-    const auto n = static_cast<std::size_t>(lanes);
-    return (count + n - 1) / n * n;
-}
+constexpr std::size_t many = 256;  // points or rays; computations of more check the budget
 
 static_assert(sizeof(Vector) == 3 * sizeof(double));
 field::Triples triples(std::span<const Vector> vectors) { return reinterpret_cast<field::Triples>(vectors.data()); }
-
-double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
 // Returns a sphere around the origin that contains the fractal. Rays are cast from far outside towards the origin; the
 // radius is the distance of the outermost hit from the origin plus 2 %, but at least 0.1.
@@ -120,14 +96,9 @@ double DistanceField::distance(Vector p) const
 void DistanceField::distances(std::span<const Vector> points, std::span<double> out) const
 {
     parallel(points.size(), 4096, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t at = first; at < last; at += block) {
-            const std::size_t count = std::min(block, last - at);
-            if (budget_ != nullptr && points.size() > block) budget_->check();
-            const std::size_t whole = padded(count, kernel_.lanes);
-            const Block in(points.subspan(at, count), whole);
-            std::array<double, block> result;
-            kernel_.distances(data_, in.points(), whole, result.data());
-            for (std::size_t i = 0; i < count; ++i) out[at + i] = cleaned(result[i]);
+        for (std::size_t at = first; at < last; at += many) {
+            if (budget_ != nullptr && points.size() > many) budget_->check();
+            kernel_.distances(data_, triples(points.subspan(at)), std::min(many, last - at), out.data() + at);
         }
     });
 }
@@ -136,7 +107,7 @@ void DistanceField::casts(std::span<const Vector> from, std::span<const Vector> 
                           std::span<double> out) const
 {
     parallel(from.size(), 1024, threads_, [&](std::size_t first, std::size_t last) {
-        if (budget_ != nullptr && from.size() > block) budget_->check();
+        if (budget_ != nullptr && from.size() > many) budget_->check();
         kernel_.casts(data_, triples(from.subspan(first)), triples(along.subspan(first)), reach, last - first,
                       out.data() + first);
     });

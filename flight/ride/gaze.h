@@ -27,8 +27,9 @@ void limit_turns(std::vector<Vector>& gaze, double most);
 // Returns one camera per frame. `up`: the first camera's up vector; the others follow from it without roll.
 std::vector<Frame> cameras(const Trajectory& ride, const std::vector<Vector>& gaze, Vector up, double field_of_view);
 
-// Rolls the cameras gradually until they are level. The fractal defines which direction is upward.
-void hold_level(std::vector<Frame>& frames, const Fractal& fractal);
+// Rolls the cameras gradually until they have these tilts or, without tilts, are level. The fractal defines which
+// direction is upward.
+void hold_level(std::vector<Frame>& frames, const Fractal& fractal, const std::vector<double>& tilts = {});
 
 // Returns the angle between two unit vectors in degrees.
 double degrees_between(Vector a, Vector b);

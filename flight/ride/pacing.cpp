@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "flight/path/path.h"
@@ -48,6 +49,19 @@ void scale_time(Curve& track, std::size_t first, std::size_t last, double took, 
 {
     const double factor = wanted > 0 ? std::clamp(took / wanted, 0.3, 3.0) : 3.0;
     for (std::size_t s = first; s < last; ++s) track.slow[s] = std::clamp(track.slow[s] * factor, least, 1.0);
+}
+
+// Returns the share of stop number `k` in the camera of a frame: 1 during the stay, and 0 during other stays and far
+// from it.
+double share_of(std::span<const Stop> stops, std::size_t k, double frame)
+{
+    const Stop& stop = stops[k];
+    const double before = k > 0 ? std::max(stop.arrives - stops[k - 1].leaves, 1.0) : turning_time;
+    const double after = k + 1 < stops.size() ? std::max(stops[k + 1].arrives - stop.leaves, 1.0) : turning_time;
+    const double away = std::max({(stop.arrives - frame) / std::min(before, turning_time),
+                                  (frame - stop.leaves) / std::min(after, turning_time), 0.0});
+    const double u = 1 - std::min(away, 1.0);
+    return u * u * u * (10 - u * (15 - 6 * u));
 }
 
 }  // namespace
@@ -130,7 +144,8 @@ std::vector<Stop> stops_of(const Bounds& bounds, const Curve& track, const Place
     for (std::size_t i = 0; i < track.places.size(); ++i) {
         const std::size_t middle = track.places[i];
         const Place& place = places.all[i];
-        Stop stop{middle, middle, middle, place.stay * frames_per_second, {}, visits[i].along, 0, 0};
+        Stop stop{middle, middle,          middle,     place.stay * frames_per_second,
+                  {},     visits[i].along, place.lens, place.roll * std::numbers::pi / 180};
         if (place.second) stop.frame = *place.second * frames_per_second;
         if (place.stay > 0) {
             const double reach = reach_at(bounds, track.clearance[middle]);
@@ -193,19 +208,25 @@ void hold_gaze(std::vector<Vector>& gaze, std::span<const Stop> stops)
 {
     for (std::size_t k = 0; k < stops.size(); ++k) {
         const Stop& stop = stops[k];
-        // The gaze of the stays before and after this one is left as it is.
-        const double before = k > 0 ? std::max(stop.arrives - stops[k - 1].leaves, 1.0) : turning_time;
-        const double after = k + 1 < stops.size() ? std::max(stops[k + 1].arrives - stop.leaves, 1.0) : turning_time;
         for (std::size_t i = 0; i < gaze.size(); ++i) {
-            const auto frame = static_cast<double>(i);
-            const double away = std::max({(stop.arrives - frame) / std::min(before, turning_time),
-                                          (frame - stop.leaves) / std::min(after, turning_time), 0.0});
-            const double u = 1 - std::min(away, 1.0);
-            const double share = u * u * u * (10 - u * (15 - 6 * u));
+            const double share = share_of(stops, k, static_cast<double>(i));
             const Vector mixed = (1 - share) * gaze[i] + share * stop.along;
             if (share > 0 && length(mixed) > 1e-6) gaze[i] = unit(mixed);
         }
     }
+}
+
+std::vector<double> hold_lens(std::vector<Frame>& frames, std::span<const Stop> stops)
+{
+    std::vector<double> tilts(frames.size(), 0);
+    for (std::size_t k = 0; k < stops.size(); ++k) {
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const double share = share_of(stops, k, static_cast<double>(i));
+            frames[i].field_of_view = std::lerp(frames[i].field_of_view, stops[k].lens, share);
+            tilts[i] = std::lerp(tilts[i], stops[k].roll, share);
+        }
+    }
+    return tilts;
 }
 
 std::string missed_stop(const Places& places, std::span<const Stop> stops, std::span<const Vector> gaze)

@@ -51,6 +51,9 @@ Timed ride_to_stops(const Bounds& bounds, Curve& track, double pace, int frames,
 // Turns the gaze gradually to the stops' directions, and keeps it there during the stays.
 void hold_gaze(std::vector<Vector>& gaze, std::span<const Stop> stops);
 
+// Changes the field of view gradually to those of the stops. Returns the tilt that each frame should have, see Tilt.
+std::vector<double> hold_lens(std::vector<Frame>& frames, std::span<const Stop> stops);
+
 // Returns a message about the first stop that is not met: the camera is too early or too late, or does not look in the
 // stop's direction. Returns "" if all stops are met. `gaze`: one unit vector per frame.
 std::string missed_stop(const Places& places, std::span<const Stop> stops, std::span<const Vector> gaze);

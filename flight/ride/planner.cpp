@@ -175,7 +175,7 @@ private:
         path.scene = shapes_.field().scene();
         path.seed = seed_;
         path.frames = cameras(flown.ride, views, first_up(views[0]), field_of_view);
-        hold_level(path.frames, *path.scene.fractal);
+        hold_level(path.frames, *path.scene.fractal, hold_lens(path.frames, flown.stops));
         if (schedule_.changes()) change(path, flown.track, flown.ride);
         cut_digits(path);
         return path;

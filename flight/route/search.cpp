@@ -90,7 +90,7 @@ void Search::relax(Queue& queue, Node node, double cost, double clock, Node befo
     state.cost = cost;
     state.clock = clock;
     state.before = before;
-    queue.emplace(cost, std::pair{node.stretch, node.ball});
+    queue.emplace(cost, node);
 }
 
 double Search::with_penalties(double steps, Node to) const
@@ -107,9 +107,8 @@ bool Search::find(Node from, Node to)
     Queue queue;
     relax(queue, from, 0, 0, {});
     while (!queue.empty()) {
-        const auto [cost, name] = queue.top();
+        const auto [cost, node] = queue.top();
         queue.pop();
-        const Node node{name.first, name.second};
         if (cost > states_[index(node)].cost) continue;
         if (node.ball == to.ball) return true;
         for (const Link& link : roads(node.stretch).balls.links(node.ball)) {
@@ -131,9 +130,8 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
     int found = 0;
     const int most = std::min(choices, left());
     while (!queue.empty() && found < most) {
-        const auto [cost, name] = queue.top();
+        const auto [cost, node] = queue.top();
         queue.pop();
-        const Node node{name.first, name.second};
         const std::size_t b = index(node);
         const State& state = states_[b];
         if (cost > state.cost) continue;
@@ -163,8 +161,8 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
         // The search waits for memory less if the balls of all links are fetched at once.
         const auto links = here.balls.links(node.ball);
         for (const Link& link : links) __builtin_prefetch(&states_[index({node.stretch, link.to})]);
-        if (!queue.empty() && queue.top().second.first == node.stretch) {
-            __builtin_prefetch(here.balls.links(queue.top().second.second).data());
+        if (!queue.empty() && queue.top().second.stretch == node.stretch) {
+            __builtin_prefetch(here.balls.links(queue.top().second.ball).data());
         }
         for (const Link& link : links) {
             const Node to{node.stretch, link.to};

@@ -2,6 +2,7 @@
 // The search for a tour's next gate, across the roadmaps of successive shapes.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <queue>
 #include <span>
@@ -17,6 +18,8 @@ namespace mandelmarch {
 struct Node {
     int stretch = 0;
     int ball = -1;  // index of the ball; -1: none
+
+    auto operator<=>(const Node&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads <=>
 };
 // One side of a gate, from which a tour can enter the gate.
 struct Entry {
@@ -78,7 +81,7 @@ public:
     void forget();
 
 private:
-    using Label = std::pair<double, std::pair<int, int>>;
+    using Label = std::pair<double, Node>;  // cost, and the ball that it leads to
     using Queue = std::priority_queue<Label, std::vector<Label>, std::greater<>>;
 
     // Sets the labels of a ball and queues it, unless this search has found a way of at most the same cost.

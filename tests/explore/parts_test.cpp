@@ -53,10 +53,12 @@ TEST(Places, ViewsAreAppendedToAFile)
     EXPECT_EQ(append_place(file, scene), 1U);
     std::ofstream(file, std::ios::app) << "tour";  // by hand, without an end of line
     scene.eye = {1, 2, 3};
+    scene.field_of_view = 0.5;
     EXPECT_EQ(append_place(file, scene), 2U);
     const Places places = read_places(file);
     EXPECT_EQ(places.all[1].eye, scene.eye);
     EXPECT_EQ(places.all[1].target, scene.target);
+    EXPECT_EQ(places.all[1].lens, 0.5);
     EXPECT_TRUE(places.all[1].tour);
     std::ofstream(file) << "something else\n";
     EXPECT_THROW(append_place(file, scene), InputError);
@@ -73,11 +75,7 @@ TEST(ExploreMotion, WallsStopTheFlight)
         Motion motion;
         EXPECT_GT(clearance_after_a_minute(motion, scene), 0) << fractal;
     }
-}
-
-// Negative control: without the stop at walls, a flight straight ahead enters the solid.
-TEST(ExploreMotion, AFlightThroughWallsIsInside)
-{
+    // Negative control: without the stop at walls, a flight straight ahead enters the solid.
     Scene scene = official("bulb");
     Motion motion;
     motion.collides = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <regex>
 
 #include "flight/audit/audit.h"
@@ -33,7 +34,7 @@ Scene box() { return official_scene("box", 16, 9); }
 
 const Places& given()
 {
-    static const Places all = places(ravine + "0,3\n" + terraces + "24,2\ntour\n" + temple + "50,2\n");
+    static const Places all = places(ravine + "0,3,0.6,20\n" + terraces + "24,2\ntour\n" + temple + "50,2\n");
     return all;
 }
 
@@ -68,6 +69,14 @@ int missed(const Path& path)
 TEST(Visits, PlacesAreReachedInTimeAndSeenDuringTheStay)
 {
     EXPECT_EQ(missed(visiting()), 0);
+    // The camera begins with the lens and the roll of the first place. It is level with the usual lens in the tour.
+    EXPECT_NEAR(visiting().frames[45].field_of_view, 0.6, 1e-9);
+    EXPECT_EQ(visiting().frames[1200].field_of_view, 1);
+    const auto roll = [](std::size_t frame) {
+        return tilt_of(visiting().frames[frame], *box().fractal).angle * 180 / std::numbers::pi;
+    };
+    EXPECT_NEAR(roll(45), 20, 3);
+    EXPECT_NEAR(roll(1200), 0, 10);
     // The flight ends at the end of the last stay.
     EXPECT_NEAR(static_cast<double>(visiting().frames.size()), 52 * frames_per_second, 2);
     // Negative controls: a flight that begins a second later, and one that looks elsewhere.

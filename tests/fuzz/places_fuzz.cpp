@@ -13,9 +13,9 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
         for (const Place& place : places_from_text(std::string(text), "x").all) {
             if (!(place.stay >= 0 && place.stay <= most_stay) || (place.second && !std::isfinite(*place.second)))
                 std::abort();
-            const std::string line = place_line(place.eye, place.target);
+            const std::string line = place_line(place);
             const Places again = places_from_text(std::string(places_header) + "\n" + line + "\n", "y");
-            if (again.all.size() != 1 || place_line(again.all[0].eye, again.all[0].target) != line) std::abort();
+            if (again.all.size() != 1 || place_line(again.all[0]) != line) std::abort();
         }
     });
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <numbers>
 #include <vector>
 
 #include "core/image/image.h"
@@ -96,10 +97,16 @@ std::size_t append_place(const std::string& file, const Scene& scene)
         text = text_of_file(file, "places file");
         if (!text.ends_with('\n')) text += '\n';
     }
-    const std::string line = place_line(scene.eye, scene.target);
+    Place place;
+    place.eye = scene.eye;
+    place.target = scene.target;
+    place.lens = scene.field_of_view;
+    const Tilt tilt = tilt_of({scene.eye, scene.target, scene.up, 1, {}}, *scene.fractal);
+    if (tilt.horizon > 0.01) place.roll = tilt.angle * 180 / std::numbers::pi;
+    const std::string line = place_line(place);
     text += line + "\n";
     const Places places = places_from_text(text, file);
-    if (place_line(places.all.back().eye, places.all.back().target) != line) {
+    if (place_line(places.all.back()) != line) {
         throw InputError(fmt::format("{}: columns in another order, expected {}", file, places_header));
     }
     write_file(file, text);
