@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // flythrough: plans a flight through a fractal, audits it and renders it as a film.
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,7 +19,6 @@
 #include "core/os/files.h"
 #include "core/os/output_file.h"
 #include "flight/audit/audit.h"
-#include "flight/route/map.h"
 #include "flight/film/encoder.h"
 #include "flight/film/film.h"
 #include "flight/film/convergence.h"
@@ -71,7 +69,7 @@ bool show_audit(const Flythrough& options, const Path& path, double planning, co
 
 void write_map(const Flythrough& options, const Plan& made)
 {
-    if (!options.map.empty()) write_file(options.map, map_of(made.path, made.balls, made.gates, options.plan.threads));
+    if (!options.map.empty()) write_file(options.map, map_of(made, options.plan.threads));
 }
 
 // Reads the files that describe a plan. Throws InputError as read_plan() does, or if an output file cannot be written
@@ -206,7 +204,7 @@ int run(const Registry& registry, Flythrough options)
     if (options.command == Command::plan || options.command == Command::audit) {
         check_files(options);
         const Backend& backend = chosen_backend(registry, options.backend, true);
-        options.film.renderer = renderer_of(options, backend, *one_rank());
+        options.film.renderer = renderer_of(options, backend, Ranks());
         static_cast<void>(backend.create(options.film.renderer));
         if (options.command == Command::plan) return plan_command(options, backend);
         return show_audit(options, read_path(options.path), 0, backend) ? exit_success : exit_failure;

@@ -14,7 +14,6 @@
 #include "core/os/input_file.h"
 #include "core/text/number.h"
 #include "core/text/version.h"
-#include "core/scene/fractal.h"
 
 namespace mandelmarch {
 namespace {

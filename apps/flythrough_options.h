@@ -2,7 +2,6 @@
 // The command line of flythrough, and the plan that it describes.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,5 +58,11 @@ PlanOptions read_plan(const Flythrough& options);
 
 // Plans the flight, with the number of frames and the frame rate of the options. Prints progress to stderr.
 Plan make_plan(const Flythrough& options);
+
+// Returns the map of a plan, from which a drawing can be made, as JSON: the bounds of the first frame's shape, and the
+// balls and gates near the path. A passage is given by the number of its narrowest frame. Each frame has its position,
+// its clearance (the distance estimate), and its turn since the previous frame in degrees. `threads`: 0 for as many as
+// the process may use.
+std::string map_of(const Plan& made, int threads);
 
 }  // namespace mandelmarch

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "backends/all.h"
-#include "core/text/error.h"
 #include "core/os/program.h"
 
 namespace mandelmarch {

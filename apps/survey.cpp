@@ -10,7 +10,6 @@
 #include "core/image/compare.h"
 #include "core/instruments/trace.h"
 #include "core/os/output_file.h"
-#include "core/render/kernel_scene.h"
 #include "core/render/stereo.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/cli/options.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <array>
 
-#include "core/scene/scene.h"
 #include "core/text/console.h"
-#include "core/text/error.h"
 #include "core/text/number.h"
 
 namespace mandelmarch {

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "apps/cli/options.h"
 #include "core/image/image.h"
 #include "core/render/backend.h"
 #include "core/render/region.h"

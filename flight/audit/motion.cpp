@@ -8,12 +8,10 @@
 #include <numbers>
 
 #include "core/render/kernel_scene.h"
-#include "core/scene/fractal.h"
 #include "core/text/error.h"
 #include "core/text/quantile.h"
 #include "flight/field/threads.h"
 #include "flight/path/measures.h"
-#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {

@@ -8,11 +8,9 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "core/os/cores.h"
-#include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/text/error.h"
 #include "flight/field/threads.h"

@@ -11,7 +11,6 @@
 #include "core/text/console.h"
 #include "core/text/error.h"
 #include "core/os/files.h"
-#include "core/os/output_file.h"
 #include "core/image/formats/image_file.h"
 #include "flight/film/description.h"
 #include "flight/film/film.h"

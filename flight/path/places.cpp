@@ -6,14 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <utility>
 
 #include "core/text/error.h"
 #include "core/os/input_file.h"
 #include "core/text/number.h"
 #include "core/text/text.h"
-#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "flight/path/path.h"
-
 namespace mandelmarch {
 namespace {
 

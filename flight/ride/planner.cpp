@@ -207,10 +207,6 @@ private:
         }
     }
 
-    // Returns the up vector of the first camera: the y axis, or the z axis if the camera looks within about 45 degrees
-    // of the y axis.
-    static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
-
     const Schedule& schedule_;
     const Places& places_;
     Shapes shapes_;

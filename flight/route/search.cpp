@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -119,7 +118,7 @@ bool Search::find(Node from, Node to)
     return false;
 }
 
-Entry Search::next(Node from, double clock, std::span<const Vector> done, FlightRandom& random)
+Entry Search::next(Node from, double clock, Vector heading, FlightRandom& random)
 {
     ++turn_;
     Queue queue;
@@ -150,7 +149,7 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
             if (flown_[static_cast<std::size_t>(node.stretch)][static_cast<std::size_t>(gate.kind)] != 0) continue;
             ++found;
             const Node behind{node.stretch, gate.balls[1 - static_cast<std::size_t>(entry) % 2]};
-            const double wanted = (10 + cost + turn_cost(node, {node.stretch, entry}, done)) *
+            const double wanted = (10 + cost + turn_cost(node, {node.stretch, entry}, heading)) *
                                   (1 + whim * random.share()) / (0.4 + gate.walled) *
                                   (states_[index(behind)].outside ? outside_penalty : 1);
             if (wanted < best_cost) {
@@ -181,7 +180,7 @@ int Search::left() const
     return 2 * static_cast<int>(std::ranges::count_if(gates, std::not_fn(flown)));
 }
 
-double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) const
+double Search::turn_cost(Node node, Entry entry, Vector heading) const
 {
     const std::vector<Node> leg = leg_to(node);
     if (leg.size() < 2) return 0;
@@ -189,11 +188,9 @@ double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) c
     const std::size_t some = std::min<std::size_t>(4, leg.size() - 1);
     const auto& way = gate(entry).ways[static_cast<std::size_t>(entry.number) % 2];
     const Vector into = way.front() - way.back();
-    double sum = angle_between(centre(leg.size() - 1) - centre(leg.size() - 1 - some), into);
-    if (done.size() > 4) {
-        sum += angle_between(done.back() - done[done.size() - 4], centre(some) - centre(0));
-    }
-    return whole_turn / std::numbers::pi * sum;
+    return whole_turn / std::numbers::pi *
+           (angle_between(centre(leg.size() - 1) - centre(leg.size() - 1 - some), into) +
+            angle_between(heading, centre(some) - centre(0)));
 }
 
 std::vector<Node> Search::leg_to(Node node) const

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "flight/audit/views.h"
 #include "flight/ride/director.h"

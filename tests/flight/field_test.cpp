@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
-#include <string>
 #include <thread>
 #include <vector>
 

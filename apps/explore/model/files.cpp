@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/explore/model/files.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -10,13 +8,11 @@
 #include <numbers>
 #include <vector>
 
-#include "core/image/image.h"
 #include "core/os/input_file.h"
 #include "core/os/output_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/text/environment.h"
-#include "core/text/error.h"
 #include "core/text/json.h"
 #include "flight/path/path.h"
 #include "flight/path/places.h"

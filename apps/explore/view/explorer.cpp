@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/explore/view/explorer.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>

@@ -12,7 +12,6 @@
 #include <imgui.h>
 
 #include <cstddef>
-#include <memory>
 #include <string_view>
 
 #include "core/text/environment.h"
