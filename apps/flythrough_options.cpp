@@ -32,19 +32,15 @@ constexpr CommandName commands[] = {
     {"film", Command::film, "plan, print the audit, and make a film or stills"},
     {"audit", Command::audit, "print the audit of a path file; exit code 1: a broken promise"}};
 
-Range range_option(const std::string& name, const std::string& text, const std::string& expected)
-{
-    const auto [a, b] = pair_option(name, text, '-', 0, most_frames, expected);
-    if (a > b) throw InputError(fmt::format("--{}: {}-{} given, expected the first one first", name, a, b));
-    return {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
-}
-
 CLI::Option* add_range(CLI::App& app, const std::string& name, std::optional<Range>& range, const std::string& expected,
                        const std::string& about)
 {
-    return app.add_option_function<std::string>(
-        "--" + name, [&range, name, expected](const std::string& text) { range = range_option(name, text, expected); },
-        about);
+    const auto set = [&range, name, expected](const std::string& text) {
+        const auto [a, b] = pair_option(name, text, '-', 0, most_frames, expected);
+        if (a > b) throw InputError(fmt::format("--{}: {}-{} given, expected the first one first", name, a, b));
+        range = {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
+    };
+    return app.add_option_function<std::string>("--" + name, set, about);
 }
 
 // Sets the look to a colouring type, given by its number or name, or to a look file.

@@ -2,7 +2,6 @@
 #include "flight/ride/gaze.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 

@@ -21,14 +21,11 @@ struct Place {
     Vector eye, target, up;
 };
 
-// Frames of a flight. With the original estimate, pictures of this flight were torn. Two frames are ordinary, and four
-// are close to the poles, where the original estimate is up to forty times too large.
+// Frames of a flight. With the original estimate, pictures of this flight were torn. The first frame is ordinary, and
+// the others are close to the poles, where the original estimate is up to forty times too large.
 constexpr Place places[] = {
     {300, {0.749212, 0.017614, -0.18735}, {0.622715, 1.00784, -0.246075}, {0.973194, 0.135348, 0.18594}},
-    {2400, {0.487458, -0.613873, -0.206735}, {0.112059, 0.0470196, 0.443108}, {0.85201, -0.0299708, 0.522667}},
     {3300, {0.0984036, -0.0998721, -0.858128}, {-0.558501, 0.431969, -0.323693}, {-0.745286, -0.565327, -0.35349}},
-    {3600, {0.167981, -0.122596, -0.846307}, {-0.0891713, 0.0824185, 0.0980668}, {-0.49282, -0.868433, 0.0543342}},
-    {4500, {0.536057, -0.00673194, 0.76855}, {0.107571, 0.810719, 1.15348}, {-0.840874, -0.204863, -0.500961}},
     {5400, {0.328618, 0.412669, 0.784391}, {-0.0173689, 0.772824, 1.65075}, {0.787524, 0.613405, 0.0595037}},
 };
 
@@ -105,7 +102,7 @@ TEST(Truth, RaysEndBeforeTheSolid)
     const Backend& openmp = *registry.find("openmp");
     for (const Place& place : places) EXPECT_LE(share_behind(openmp, place, true), 0.01) << "frame " << place.frame;
     // Negative control: with the original estimate, the first of the torn frames is wrong.
-    EXPECT_GT(share_behind(openmp, places[2], false), 0.1);
+    EXPECT_GT(share_behind(openmp, places[1], false), 0.1);
 }
 
 TEST(Truth, FramesAreThoseOfShortSteps)
@@ -113,12 +110,12 @@ TEST(Truth, FramesAreThoseOfShortSteps)
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
     const RendererOptions options{.precision = Precision::f32, .mode = Mode::fast, .counts = false};
-    for (const Row& row : truth_rows(path_at(places[2], true), openmp, options, {})) {
+    for (const Row& row : truth_rows(path_at(places[1], true), openmp, options, {})) {
         EXPECT_TRUE(row.promise);
         EXPECT_TRUE(row.kept()) << row.name << ": " << row.value;
     }
     // Negative control: the audit of the frame with the original estimate fails.
-    const auto torn = truth_rows(path_at(places[2], false), openmp, options, {});
+    const auto torn = truth_rows(path_at(places[1], false), openmp, options, {});
     EXPECT_FALSE(torn.back().kept()) << torn.back().value;
 }
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <limits>
+#include <string>
 
 #include "apps/explore/view/panels.h"
 #include "apps/scene_json.h"
@@ -190,7 +192,11 @@ void number_field(const char* name, int& value, int low, int high)
     value = std::clamp(value, low, high);
 }
 
-}  // namespace
+// A button that performs an action. Without a label, it shows the action's name.
+struct Button {
+    std::string action;
+    std::string label{};
+};
 
 void show_buttons(Model& model, std::initializer_list<Button> row)
 {
@@ -201,6 +207,8 @@ void show_buttons(Model& model, std::initializer_list<Button> row)
         if (ImGui::Button(label.c_str())) action_named(button.action)->perform(model);
     }
 }
+
+}  // namespace
 
 float panel_width(int window_width)
 {

@@ -4,9 +4,6 @@
 
 #include <SDL.h>
 
-#include <initializer_list>
-#include <string>
-
 #include "apps/explore/actions/actions.h"
 #include "apps/explore/view/panes.h"
 
@@ -26,12 +23,5 @@ void show_paths(Model& model, float left);
 void show_overlay(const Model& model, const Panes& panes, const SDL_Rect& area, double clearance);
 
 void show_help(Model& model);
-
-// A button that performs an action. Without a label, it shows the action's name.
-struct Button {
-    std::string action;
-    std::string label{};
-};
-void show_buttons(Model& model, std::initializer_list<Button> row);
 
 }  // namespace mandelmarch::explore
