@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // flythrough: plans a flight through a fractal, audits it and renders it as a film.
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,9 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "apps/cli/backend_option.h"
+#include "apps/cli/options.h"
 #include "apps/flythrough_options.h"
-#include "apps/flythrough_plan.h"
 #include "backends/all.h"
 #include "core/text/console.h"
 #include "core/os/cores.h"
@@ -21,7 +19,6 @@
 #include "core/os/files.h"
 #include "core/os/output_file.h"
 #include "flight/audit/audit.h"
-#include "flight/route/map.h"
 #include "flight/film/encoder.h"
 #include "flight/film/film.h"
 #include "flight/film/convergence.h"
@@ -53,12 +50,11 @@ bool goes_to_stdout(const std::string& file)
 
 // Audits the path, prints the result and writes it to the file of --json, if given. Prints to stdout, or to stderr if
 // an output file goes to stdout. Returns true if every promise (a hard limit) is kept.
-bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend,
-                const RendererOptions& renderer)
+bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend)
 {
     tell_audit(path);
-    Audit result = audit(path, options.threads, planning);
-    std::ranges::move(truth_rows(path, backend, renderer, options.picture()),
+    Audit result = audit(path, options.plan.threads, planning);
+    std::ranges::move(truth_rows(path, backend, options.film.renderer, options.film.picture),
                       std::inserter(result.rows, std::ranges::find(result.rows, false, &Row::promise)));
     const auto taken = options.written();
     if (std::ranges::any_of(taken, [](const NamedFile& file) { return goes_to_stdout(file.path); })) {
@@ -73,32 +69,31 @@ bool show_audit(const Flythrough& options, const Path& path, double planning, co
 
 void write_map(const Flythrough& options, const Plan& made)
 {
-    if (!options.map.empty()) write_file(options.map, map_of(made.path, made.balls, made.gates, options.threads));
+    if (!options.map.empty()) write_file(options.map, map_of(made, options.plan.threads));
 }
 
-// Throws InputError if an output file cannot be written or is the same as another file, or if the fractal cannot be
-// flown through. Called before any work is done.
-void check_outputs(const Flythrough& options)
+// Reads the files that describe a plan. Throws InputError as read_plan() does, or if an output file cannot be written
+// or is the same as another file. Called before any work is done.
+void check_files(Flythrough& options)
 {
     std::vector<NamedFile> files = options.written();
-    if (options.makes_film() && !OutputFile::is_stream(options.output)) {
-        files.push_back({"the stamp of --output", stamp_path(end_of_links(options.output))});
-        files.push_back({"the segments of --output", parts_folder(options.output, "")});
+    if (options.makes_film() && !OutputFile::is_stream(options.film.output)) {
+        files.push_back({"the stamp of --output", stamp_path(end_of_links(options.film.output))});
+        files.push_back({"the segments of --output", parts_folder(options.film.output, "")});
     }
     refuse_shared_files(files, options.read());
     for (const NamedFile& file : options.written()) {
         if (!file.path.empty()) OutputFile::check(file.path);
     }
-    if (options.reads_path()) return;
-    check_plan(options);
+    if (!options.reads_path()) options.plan = read_plan(options);
 }
 
-int plan_command(const Flythrough& options, const Backend& backend, const RendererOptions& renderer)
+int plan_command(const Flythrough& options, const Backend& backend)
 {
     const Plan made = make_plan(options);
-    write_file(options.output, to_text(made.path));
+    write_file(options.film.output, to_text(made.path));
     write_map(options, made);
-    return show_audit(options, made.path, made.seconds, backend, renderer) ? exit_success : exit_failure;
+    return show_audit(options, made.path, made.seconds, backend) ? exit_success : exit_failure;
 }
 
 // Returns the number of threads that one of `local` processes on this machine should use: Cores::threads(), divided by
@@ -115,9 +110,9 @@ int threads_for(int local)
 // share the machine's cores.
 RendererOptions renderer_of(const Flythrough& options, const Backend& backend, const Ranks& ranks)
 {
-    RendererOptions renderer = options.renderer;
+    RendererOptions renderer = options.film.renderer;
     renderer.counts = false;
-    renderer.threads = options.threads > 0 ? options.threads : threads_for(ranks.local_size());
+    renderer.threads = options.plan.threads > 0 ? options.plan.threads : threads_for(ranks.local_size());
     std::vector<int> gpus;
     const std::vector<Device> devices = backend.devices();
     for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -132,91 +127,67 @@ RendererOptions renderer_of(const Flythrough& options, const Backend& backend, c
 void refuse_broken(const Path& path, const Flythrough& options)
 {
     tell_audit(path);
-    const Audit result = audit_promises(path, options.threads);
+    const Audit result = audit_promises(path, options.plan.threads);
     if (result.promises_kept()) return;
     say("{}", table_of(path, result));
     if (!options.force) throw Error("the path breaks a promise and is not rendered, unless --force is given");
 }
 
-StillOptions still_options(const Flythrough& options, const RendererOptions& renderer)
-{
-    return {options.stills, options.jpeg, options.every, options.picture(), renderer, options.segments, options.chosen};
-}
-
-// Returns true if the path that is rendered is the whole path, of which the film or the stills show the chosen frames.
-bool rendered_whole(const Flythrough& options) { return !options.stills.empty() || options.every == 1; }
-
-// Returns the path that is rendered: the whole path or, for a film with --every N, every N-th of the chosen frames.
-// Throws InputError if the path does not have all chosen frames.
-Path rendered_path(Path path, const Flythrough& options)
-{
-    if (rendered_whole(options)) return path;
-    const auto [first, last] = chosen_frames(options.chosen, path.frames.size());
-    std::vector<Frame> kept;
-    for (std::size_t at = first; at <= last; at += options.every) kept.push_back(path.frames[at]);
-    path.frames = std::move(kept);
-    return path;
-}
-
-// For a film of a rendered_path().
-FilmOptions film_options(const Flythrough& options, const RendererOptions& renderer)
-{
-    return {options.output,
-            options.title,
-            options.authors,
-            options.picture(),
-            renderer,
-            options.segments,
-            options.every > 1 ? std::nullopt : options.chosen};
-}
-
 // Throws InputError if the film or the stills cannot be made. Called before any work is done.
-void check_pictures(const Flythrough& options, const RendererOptions& renderer, std::size_t frames, int rate)
+void check_pictures(const FilmOptions& film, std::size_t frames, int rate)
 {
-    if (options.stills.empty()) {
-        check_film(film_options(options, renderer), frames, rate);
+    if (film.stills.empty()) {
+        check_film(film, frames, rate);
     } else {
-        check_stills(still_options(options, renderer), frames);
+        check_stills(film, frames);
     }
 }
 
-// Chooses the frames of the options' part of a path.
-void choose_part(const Path& path, Flythrough& options)
+// Chooses the frames of the options' part of a path. For a film with --every N, replaces the path by every N-th of the
+// chosen frames. Throws InputError if the path does not have all chosen frames.
+void choose_frames(Path& path, Flythrough& options)
 {
-    if (!options.part.whole()) options.chosen = frames_of(path, options.part, options.threads);
+    FilmOptions& film = options.film;
+    if (!options.part.whole()) film.frames = frames_of(path, options.part, options.plan.threads);
+    if (film.every == 1 || !film.stills.empty()) return;
+    const auto [first, last] = chosen_frames(film.frames, path.frames.size());
+    std::vector<Frame> kept;
+    for (std::size_t at = first; at <= last; at += film.every) kept.push_back(path.frames[at]);
+    path.frames = std::move(kept);
+    film.frames.reset();
 }
 
-// Plans or reads the path. Chooses the frames of the options' part. Called on rank 0 only.
-Path path_of(Flythrough& options, const Backend& backend, const RendererOptions& renderer)
+// Plans or reads the path, and chooses its frames. Called on rank 0 only.
+Path path_of(Flythrough& options, const Backend& backend)
 {
-    if (options.stills.empty()) check_ffmpeg(container_of(options.output));
+    const FilmOptions& film = options.film;
+    if (film.stills.empty()) check_ffmpeg(container_of(film.output));
     if (options.reads_path()) {
-        const Path path = read_path(options.path);
-        choose_part(path, options);
-        Path rendered = rendered_path(path, options);
-        check_pictures(options, renderer, rendered.frames.size(), path.frames_per_second);
-        refuse_broken(path, options);
-        return rendered;
+        const Path whole = read_path(options.path);
+        Path path = whole;
+        choose_frames(path, options);
+        check_pictures(film, path.frames.size(), path.frames_per_second);
+        refuse_broken(whole, options);
+        return path;
     }
     const auto frames = static_cast<std::size_t>(options.frames);
-    check_pictures(options, renderer, options.stills.empty() ? (frames - 1) / options.every + 1 : frames, options.rate);
-    const Plan made = make_plan(options);
+    check_pictures(film, film.stills.empty() ? (frames - 1) / film.every + 1 : frames, options.rate);
+    Plan made = make_plan(options);
     if (!options.path.empty()) write_file(options.path, to_text(made.path));
     write_map(options, made);
-    show_audit(options, made.path, made.seconds, backend, renderer);
-    choose_part(made.path, options);
-    return rendered_path(made.path, options);
+    show_audit(options, made.path, made.seconds, backend);
+    choose_frames(made.path, options);
+    return std::move(made.path);
 }
 
-int render(const Flythrough& options, const Path& path, const Backend& backend, const RendererOptions& renderer,
-           Ranks& ranks)
+int render(const Flythrough& options, const Path& path, const Backend& backend, Ranks& ranks)
 {
-    if (!options.stills.empty()) {
-        const std::size_t pictures = make_stills(path, backend, still_options(options, renderer), ranks);
-        if (ranks.rank() == 0) say("stills: {} pictures in {}\n", pictures, options.stills);
+    const FilmOptions& film = options.film;
+    if (!film.stills.empty()) {
+        const std::size_t pictures = make_stills(path, backend, film, ranks);
+        if (ranks.rank() == 0) say("stills: {} pictures in {}\n", pictures, film.stills);
         return exit_success;
     }
-    const FilmOptions film = film_options(options, renderer);
     const FilmStats report = make_film(path, backend, film, ranks);
     if (ranks.rank() != 0) return exit_success;
     say("film: {} of {} segments rendered in {:.1f} s by {} process{}; {}\n", report.rendered, report.segments,
@@ -231,32 +202,38 @@ int render(const Flythrough& options, const Path& path, const Backend& backend, 
 int run(const Registry& registry, Flythrough options)
 {
     if (options.command == Command::plan || options.command == Command::audit) {
-        check_outputs(options);
+        check_files(options);
         const Backend& backend = chosen_backend(registry, options.backend, true);
-        const RendererOptions renderer = renderer_of(options, backend, *one_rank());
-        static_cast<void>(backend.create(renderer));
-        if (options.command == Command::plan) return plan_command(options, backend, renderer);
-        return show_audit(options, read_path(options.path), 0, backend, renderer) ? exit_success : exit_failure;
+        options.film.renderer = renderer_of(options, backend, Ranks());
+        static_cast<void>(backend.create(options.film.renderer));
+        if (options.command == Command::plan) return plan_command(options, backend);
+        return show_audit(options, read_path(options.path), 0, backend) ? exit_success : exit_failure;
     }
     const auto ranks = make_ranks();
     try {
-        if (ranks->rank() == 0) check_outputs(options);
-        if (!options.segments) refuse_singletons(*ranks);
-        const RendererOptions heeded{.threads = options.threads};
+        if (ranks->rank() == 0) check_files(options);
+        if (!options.film.segments) refuse_singletons(*ranks);
+        const RendererOptions heeded{.threads = options.plan.threads};
         const Backend& backend = chosen_backend(registry, options.backend, ranks->rank() == 0, heeded);
         refuse_unheeded(registry, backend, heeded);
-        const RendererOptions renderer = renderer_of(options, backend, *ranks);
+        options.film.renderer = renderer_of(options, backend, *ranks);
         // Throws here, before planning, if the device is missing.
-        static_cast<void>(backend.create(renderer));
+        static_cast<void>(backend.create(options.film.renderer));
         Path path;
-        if (ranks->rank() == 0) path = path_of(options, backend, renderer);
+        if (ranks->rank() == 0) path = path_of(options, backend);
         if (ranks->size() > 1) {
             const std::string text = ranks->share(ranks->rank() == 0 ? to_text(path) : "");
             if (ranks->rank() != 0) path = path_from_text(text, "the path");
         }
         // With --every, rank 0 has shared the chosen frames alone.
-        if (ranks->rank() != 0 && rendered_whole(options)) choose_part(path, options);
-        return render(options, path, backend, renderer, *ranks);
+        if (ranks->rank() != 0) {
+            if (options.film.every > 1 && options.film.stills.empty()) {
+                options.film.frames.reset();
+            } else {
+                choose_frames(path, options);
+            }
+        }
+        return render(options, path, backend, *ranks);
     } catch (const std::exception&) {
         if (ranks->size() == 1) throw;
         // run_program() prints this rank's error and returns its exit code. abort() then ends all ranks.

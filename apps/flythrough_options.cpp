@@ -5,17 +5,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <tuple>
 
-#include "apps/cli/backend_option.h"
-#include "apps/cli/option_values.h"
-#include "apps/scene_options.h"
+#include "apps/cli/options.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
 #include "core/os/input_file.h"
 #include "core/text/number.h"
 #include "core/text/version.h"
-#include "core/scene/fractal.h"
 
 namespace mandelmarch {
 namespace {
@@ -34,54 +32,40 @@ constexpr CommandName commands[] = {
     {"film", Command::film, "plan, print the audit, and make a film or stills"},
     {"audit", Command::audit, "print the audit of a path file; exit code 1: a broken promise"}};
 
-// Values of options whose meaning or default depends on other options.
-struct Given {
-    std::optional<int> frames;
-    std::optional<std::string> size;
-    std::optional<std::size_t> every;
-};
-
-// Defaults of preview.
-constexpr std::size_t preview_every = 8;
-constexpr std::pair preview_size{480, 270};
-
-Range range_option(const std::string& name, const std::string& text, const std::string& expected)
-{
-    const auto [a, b] = pair_option(name, text, '-', 0, most_frames, expected);
-    if (a > b) throw InputError(fmt::format("--{}: {}-{} given, expected the first one first", name, a, b));
-    return {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
-}
-
 CLI::Option* add_range(CLI::App& app, const std::string& name, std::optional<Range>& range, const std::string& expected,
                        const std::string& about)
 {
-    return app.add_option_function<std::string>(
-        "--" + name, [&range, name, expected](const std::string& text) { range = range_option(name, text, expected); },
-        about);
+    const auto set = [&range, name, expected](const std::string& text) {
+        const auto [a, b] = pair_option(name, text, '-', 0, most_frames, expected);
+        if (a > b) throw InputError(fmt::format("--{}: {}-{} given, expected the first one first", name, a, b));
+        range = {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
+    };
+    return app.add_option_function<std::string>("--" + name, set, about);
 }
 
 // Sets the look to a colouring type, given by its number or name, or to a look file.
 void set_look(const std::string& text, Flythrough& options)
 {
+    std::optional<ChosenLook>& look = options.film.picture.look;
     if (parse_whole(text)) {
-        options.look = {.colouring = whole_option("look", text, 0, colouring_types - 1)};
+        look = {.colouring = whole_option("look", text, 0, colouring_types - 1)};
         return;
     }
     for (int type = 2; type < colouring_types; ++type) {
         if (text != colouring_names.at(static_cast<std::size_t>(type))) continue;
-        options.look = {.colouring = type};
+        look = {.colouring = type};
         return;
     }
     options.look_file = text;
-    options.look = {.colouring = 2, .values = parse_look(text_of_file(text, "look file"), text)};
+    look = {.colouring = 2, .values = parse_look(text_of_file(text, "look file"), text)};
 }
 
 // Adds the options of commands that plan a flight.
-void add_planning(CLI::App& app, Flythrough& options, Given& given)
+void add_planning(CLI::App& app, Flythrough& options)
 {
     add_fractal_option(app, options.fractal)->capture_default_str();
     app.add_option("--params", options.parameters, "take the fractal, not the camera, from this parameter file (.dat)");
-    app.add_option("--seed", options.seed, "random seed of the route")
+    app.add_option("--seed", options.plan.seed, "random seed of the route")
         ->check(whole(0, std::int64_t{1} << 53))
         ->capture_default_str();
     const std::string changing =
@@ -90,7 +74,7 @@ void add_planning(CLI::App& app, Flythrough& options, Given& given)
     app.add_option("--scale", options.scale, "the Mandelbox's scale" + changing)->excludes(power);
     app.add_option("--places", options.places, "table of places to visit (docs/make-a-film.md)");
     add_estimate_option(app, options.conservative);
-    app.add_option("--frames", given.frames, "number of frames, without the title (default: 4 minutes)")
+    app.add_option("--frames", options.frames, "number of frames, without the title (default: 4 minutes)")
         ->check(whole(2, most_frames));
     app.add_option("--fps", options.rate, "frames per second, recorded in the path file")
         ->check(whole(1, most_frames_per_second))
@@ -101,8 +85,9 @@ void add_planning(CLI::App& app, Flythrough& options, Given& given)
 }
 
 // Adds the options of commands that make a film or stills.
-void add_filming(CLI::App& app, Command command, Flythrough& options, Given& given)
+void add_filming(CLI::App& app, Flythrough& options)
 {
+    FilmOptions& film = options.film;
     std::vector<CLI::Option*> parts{
         app.add_option("--from", options.part.from, "only the flight from this second on")->check(real(0, most_frames)),
         app.add_option("--to", options.part.to, "only the flight up to this second")->check(real(0, most_frames)),
@@ -110,85 +95,85 @@ void add_filming(CLI::App& app, Command command, Flythrough& options, Given& giv
                    {{"approach", Chapter::approach}, {"passages", Chapter::passages}, {"out", Chapter::out}},
                    "only the flight before, from, or after its narrow places; --from and --to then count from the "
                    "chapter's beginning")};
-    if (command != Command::film) {
-        auto* frames = add_range(app, "frames", options.chosen, "A-B, frames of the path to render, such as 100-160",
+    if (options.reads_path()) {
+        auto* frames = add_range(app, "frames", film.frames, "A-B, frames of the path to render, such as 100-160",
                                  "only frames A-B of the path (from 0)");
         for (CLI::Option* part : parts) part->excludes(frames);
         app.add_flag("--force", options.force,
                      "render even if the path breaks a promise: a hard limit, marked ! in the audit's output");
     }
-    app.add_option("--every", given.every,
-                   fmt::format("only every N-th frame, so a film is N times as fast (default {})",
-                               command == Command::preview ? preview_every : 1))
-        ->check(whole(1, most_frames));
-    add_range(app, "segments", options.segments, "A-B, such as 0-9",
+    app.add_option("--every", film.every, "only every N-th frame, so a film is N times as fast")
+        ->check(whole(1, most_frames))
+        ->capture_default_str();
+    add_range(app, "segments", film.segments, "A-B, such as 0-9",
               "render only segments A-B (60 frames each, from 0), and do not join them into a film");
-    app.add_flag("--stereo", options.stereo, "side-by-side stereo, the left eye on the left");
-    auto* stills = app.add_option("--stills", options.stills, "write still frames to this folder instead of a film");
-    add_choice(app, "--still-format", options.jpeg, {{"png", false}, {"jpeg", true}}, "format of stills")
-        ->needs(stills);
+    app.add_flag("--stereo", film.picture.stereo, "side-by-side stereo, the left eye on the left");
+    auto* stills = app.add_option("--stills", film.stills, "write still frames to this folder instead of a film");
+    add_choice(app, "--still-format", film.jpeg, {{"png", false}, {"jpeg", true}}, "format of stills")->needs(stills);
     for (CLI::Option* option :
-         {app.add_option("--output", options.output,
-                         fmt::format("film: .mp4, .mkv, .webm or .gif (default {})",
-                                     command == Command::preview ? "preview.mp4" : "video.mp4")),
+         {app.add_option("--output", film.output, "film: .mp4, .mkv, .webm or .gif")->capture_default_str(),
           app.add_option("--summary", options.summary,
                          "write device, frames and seconds per frame to this file, as JSON"),
-          app.add_option("--title", options.title,
+          app.add_option("--title", film.title,
                          "first line of the title; without --title and --authors there is no title"),
-          app.add_option("--authors", options.authors, "second line of the title")}) {
+          app.add_option("--authors", film.authors, "second line of the title")}) {
         option->excludes(stills);
     }
 }
 
-// Adds the options of a command. Each command has only the options that it uses.
-void add_options(CLI::App& app, Command command, const Registry& registry, Flythrough& options, Given& given)
+// Adds the options of a command, and sets those defaults that depend on the command. Each command has only the options
+// that it uses.
+void add_options(CLI::App& app, const Registry& registry, Flythrough& options)
 {
-    const bool plans = command == Command::plan || command == Command::film;
-    auto* path = app.add_option("PATH", options.path, plans ? "path file to write" : "path file to read");
-    if (plans) {
-        add_planning(app, options, given);
+    options.film.renderer = {.precision = Precision::f32, .mode = Mode::fast};
+    if (options.command == Command::plan) {
+        options.film.output = "path.json";
+        auto* path = app.add_option("PATH", options.film.output, "path file to write")->capture_default_str();
+        app.add_option("--output", options.film.output, "path file, instead of PATH")->excludes(path);
     } else {
-        path->required();
+        app.add_option("PATH", options.path, options.reads_path() ? "path file to read" : "path file to write")
+            ->required(options.reads_path());
     }
-    if (command == Command::plan) {
-        app.add_option("--output", options.output, "path file, instead of PATH (default path.json)")->excludes(path);
-    } else if (command != Command::audit) {
-        add_filming(app, command, options, given);
+    if (!options.reads_path()) add_planning(app, options);
+    if (options.command == Command::preview) {
+        options.film.output = "preview.mp4";
+        options.film.every = 8;
     }
-    if (plans || command == Command::audit) {
+    if (options.command != Command::plan && options.command != Command::audit) add_filming(app, options);
+    if (!options.reads_path() || options.command == Command::audit) {
         app.add_option("--json", options.json, "write the audit to this file, as JSON");
     }
-    app.add_option("--size", given.size,
+    app.add_option("--size", options.size,
                    fmt::format("WxH in pixels, even; 720p, 1080p, 4k or 8k (default {}; equirectangular: 2160x1080)",
-                               command == Command::preview ? "480x270" : "1920x1080"));
-    add_projection_option(app, options.projection);
-    app.add_option("--samples", options.samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")
+                               options.command == Command::preview ? "480x270" : "1920x1080"));
+    add_projection_option(app, options.film.picture.projection);
+    app.add_option("--samples", options.film.picture.samples, "samples per pixel side, 1 to 8; 2 means 4 per pixel")
         ->check(real(1, 8))
         ->capture_default_str();
     add_backend_option(app, options.backend, registry);
     app.add_option("--device", options.device,
                    "device of that backend, from 0 (default: each MPI rank uses its own GPU)")
         ->check(whole(0, 1'000'000));
-    add_precision_options(app, options.renderer);
-    add_threads_option(app, options.threads);
+    add_precision_options(app, options.film.renderer);
+    add_threads_option(app, options.plan.threads);
     app.add_option_function<std::string>(
         "--look", [&](const std::string& text) { set_look(text, options); },
-        fmt::format("look: number, name or file (default: {})", plans ? "coral" : "the path file's"));
+        fmt::format("look: number, name or file (default: {})", options.reads_path() ? "the path file's" : "coral"));
 }
 
 // Sets the pictures' size to that of --size or to the default, which depends on the other options.
-void set_size(const Given& given, Flythrough& options)
+void set_size(Flythrough& options)
 {
-    const int pictures = options.stereo ? 2 : 1;
-    const bool panorama = options.projection == Projection::equirectangular;
-    std::tie(options.width, options.height) =
-        given.size ? size_option(*given.size, max_side, panoramas(options.projection, options.stereo))
-        : panorama ? std::pair{pictures * 2160, 1080}
-        : options.command == Command::preview ? preview_size
-                                              : std::pair{1920, 1080};
-    check_panorama(options.projection, options.width, options.height, pictures);
-    if (options.stereo && options.width % 4 != 0) {
-        throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", options.width));
+    Picture& picture = options.film.picture;
+    const int pictures = picture.stereo ? 2 : 1;
+    std::tie(picture.width, picture.height) =
+        !options.size.empty() ? size_option(options.size, max_side, panoramas(picture.projection, picture.stereo))
+        : picture.projection == Projection::equirectangular ? std::pair{pictures * 2160, 1080}
+        : options.command == Command::preview               ? std::pair{480, 270}
+                                                            : std::pair{1920, 1080};
+    check_panorama(picture.projection, picture.width, picture.height, pictures);
+    if (picture.stereo && picture.width % 4 != 0) {
+        throw InputError(fmt::format("--stereo: a width of {} given, expected a multiple of 4", picture.width));
     }
 }
 
@@ -211,7 +196,7 @@ std::vector<NamedFile> Flythrough::written() const
 {
     std::vector<NamedFile> files;
     if (command == Command::film) files.push_back({"PATH", path});
-    if (command == Command::plan || makes_film()) files.push_back({"--output", output});
+    if (command == Command::plan || makes_film()) files.push_back({"--output", film.output});
     files.insert(files.end(), {{"--json", json}, {"--map", map}, {"--summary", summary}});
     return files;
 }
@@ -225,8 +210,6 @@ std::vector<NamedFile> Flythrough::read() const
 Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std::optional<int>& done)
 {
     CLI::App app("flythrough: plans a flight through a fractal, audits it and renders it as a film.");
-    Flythrough options;
-    Given given;
     app.set_version_flag("--version", version_line("flythrough"));
     app.require_subcommand(1);
     app.footer(
@@ -235,30 +218,26 @@ Flythrough parse_flythrough(const Registry& registry, int argc, char** argv, std
         "Exit codes: 0 success, 1 failure or a broken promise, 2 wrong arguments or bad input, 77 backend not "
         "available." +
         environment_help("flythrough"));
-    for (const CommandName& known : commands) {
-        add_options(*app.add_subcommand(known.name, known.about), known.command, registry, options, given);
+    std::array<Flythrough, std::size(commands)> all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].command = commands[i].command;
+        add_options(*app.add_subcommand(commands[i].name, commands[i].about), registry, all[i]);
     }
     done = parse_arguments(app, "flythrough", argc, argv);
-    if (done) return options;
-    options.command =
-        std::ranges::find(commands, app.get_subcommands().front()->get_name(), &CommandName::name)->command;
+    if (done) return {};
+    const auto* const chosen =
+        std::ranges::find(commands, app.get_subcommands().front()->get_name(), &CommandName::name);
+    Flythrough options = all[static_cast<std::size_t>(chosen - commands)];
     fractal_named(options.fractal);
     constexpr int usual_seconds = 240;
-    options.frames = given.frames.value_or(usual_seconds * options.rate);
-    set_size(given, options);
-    options.every = given.every.value_or(options.command == Command::preview ? preview_every : 1);
-    if (options.device) options.renderer.device = *options.device;
+    if (options.frames == 0) options.frames = usual_seconds * options.rate;
+    set_size(options);
+    options.film.renderer.device = options.device.value_or(0);
     check_seconds(options);
     options.path = options.reads_path() ? input_name(options.path) : output_name(options.path);
     options.parameters = input_name(options.parameters);
-    for (std::string* file : {&options.output, &options.json, &options.map, &options.summary})
+    for (std::string* file : {&options.film.output, &options.json, &options.map, &options.summary})
         *file = output_name(*file);
-    if (options.output.empty()) {
-        const std::string planned = options.path.empty() ? "path.json" : options.path;
-        options.output = options.command == Command::plan      ? planned
-                         : options.command == Command::preview ? "preview.mp4"
-                                                               : "video.mp4";
-    }
     return options;
 }
 

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "apps/cli/arguments.h"
-#include "apps/cli/option_values.h"
+#include "apps/cli/options.h"
 #include "core/text/console.h"
 #include "core/text/error.h"
 #include "core/os/files.h"

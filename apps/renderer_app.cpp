@@ -4,16 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 
-#include "apps/cli/backend_option.h"
-#include "apps/cli/option_values.h"
+#include "apps/cli/options.h"
 #include "core/os/progress_bar.h"
-#include "apps/renderer_options.h"
 #include "apps/scene_json.h"
-#include "apps/scene_options.h"
-#include "apps/stats.h"
 #include "apps/survey.h"
 #include "core/text/console.h"
 #include "core/text/error.h"

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/renderer_options.h"
+// The options of mandelbulb, mandelbox and render.
+#include "apps/renderer_app.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "apps/scene_options.h"
-#include "apps/cli/backend_option.h"
-#include "apps/cli/option_values.h"
+#include "apps/cli/options.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
 #include "core/text/version.h"

@@ -10,7 +10,6 @@
 #include "core/render/kernel_scene.h"
 #include "core/render/stepping.h"
 #include "core/scene/formula.h"
-#include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 
 namespace mandelmarch {

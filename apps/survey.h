@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Detects whether the picture of a scene is empty or wrong, by rendering a small picture of about a thousand rays.
+// Detects whether the picture of a scene is empty or wrong, by rendering a small picture of about a thousand rays, and
+// writes the statistics of --stats.
 #pragma once
 
 #include <string>
@@ -36,5 +37,10 @@ std::string view_warning(const Scene& scene, double clearance, Precision precisi
 
 // Returns true if all pixels have the same three bytes.
 bool has_one_colour(const Image& image);
+
+// Writes the output of --stats to the file `path`: configuration, times (in seconds) and work counts as JSON. Throws
+// Error if the file cannot be written.
+void write_stats(const std::string& path, const Scene& scene, const RenderStats& report, const Survey& survey,
+                 const std::vector<std::string>& warnings);
 
 }  // namespace mandelmarch

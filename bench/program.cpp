@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/program.h"
 
-#include "apps/cli/arguments.h"
-#include "apps/cli/backend_option.h"
+#include "apps/cli/options.h"
 #include "bench/command/commands.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"

@@ -4,8 +4,7 @@
 #include <csignal>
 #include <memory>
 
-#include "apps/cli/arguments.h"
-#include "apps/cli/option_values.h"
+#include "apps/cli/options.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
 #include "bench/command/outputs.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "apps/cli/option_values.h"
+#include "apps/cli/options.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
 #include "bench/fidelity/equivalence.h"

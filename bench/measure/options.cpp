@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "apps/cli/option_values.h"
+#include "apps/cli/options.h"
 #include "core/text/error.h"
 #include "core/text/text.h"
 

@@ -11,7 +11,6 @@
 #include "core/text/version.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/motion.h"
-#include "flight/audit/runs.h"
 #include "flight/audit/views.h"
 #include "flight/field/threads.h"
 #include "flight/path/measures.h"
@@ -28,16 +27,19 @@ constexpr double official_seconds = 240;  // seconds; flight time to which the t
 class Auditor {
 public:
     Auditor(const Path& path, int threads, int stride)
-        : path_(path), stride_(static_cast<std::size_t>(stride)), runs_(path, threads), clearances_(runs_.clearances())
+        : path_(path),
+          stride_(static_cast<std::size_t>(stride)),
+          measures_(flight_measures(*path.scene.fractal)),
+          runs_(path, threads),
+          places_(runs_.places()),
+          clearances_(runs_.clearances())
     {
-        for (const Frame& frame : path.frames) places_.push_back(frame.eye);
     }
 
     void promises()
     {
-        const FlightMeasures::Limits& limits = flight_measures(*path_.scene.fractal).limits;
         solids();
-        steps(limits.step);
+        steps();
         if (runs_.changes()) walls();
         turns();
         standing();
@@ -45,15 +47,12 @@ public:
 
     void quality()
     {
-        const FlightMeasures::Limits& limits = flight_measures(*path_.scene.fractal).limits;
         nearness();
         inside();
-        const auto field = [this](std::size_t frame) -> const DistanceField& { return runs_.field(frame); };
-        const auto passages = distinct_passages(field, places_, clearances_);
-        add({"distinct passages", static_cast<double>(passages.size()),
-             std::floor(limits.passages * seconds(places_.size()) / official_seconds), false, false, ""});
+        add({"distinct passages", static_cast<double>(runs_.passages().size()),
+             std::floor(measures_.passages * seconds(places_.size()) / official_seconds), false, false, ""});
         add({"frames at the cap on turning", percent(turned_at_cap_), 10, true, false, "%"});
-        gazes(limits.aside);
+        gazes();
         for (Row& row : jerk_rows(path_, clearances_)) add(std::move(row));
         add(level_row(path_));
         views();
@@ -81,7 +80,7 @@ private:
         parallel(places_.size(), 64, runs_.threads(), [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
                 const bool inside = clearances_[i] <= in_solid * bounds(i).size;
-                hit[i] = inside || (i > 0 && !runs_.free_before(i, clearances_)) ? 1 : 0;
+                hit[i] = inside || (i > 0 && !runs_.free_before(i)) ? 1 : 0;
             }
         });
         const auto worst = std::ranges::find(hit, 1) - hit.begin();
@@ -97,14 +96,14 @@ private:
         add({name, *worst, bar, true, true, unit, static_cast<std::size_t>(worst - values.begin())});
     }
 
-    void steps(double bar)
+    void steps()
     {
         std::vector<double> steps(places_.size(), 0);
         for (std::size_t i = 1; i < places_.size(); ++i) {
             steps[i] =
                 length(places_[i] - places_[i - 1]) / std::max(std::min(clearances_[i], clearances_[i - 1]), 1e-300);
         }
-        add_largest("largest step between frames / DE", steps, by_rate(bar), "");
+        add_largest("largest step between frames / DE", steps, by_rate(measures_.step), "");
     }
 
     // Adds the largest relative change of DE from one frame to the next that is due to the change of the shape alone.
@@ -112,7 +111,7 @@ private:
     {
         std::vector<double> steps(places_.size(), 0);
         parallel(places_.size(), 64, runs_.threads(), [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) steps[i] = runs_.wall_step(i, clearances_);
+            for (std::size_t i = first; i < last; ++i) steps[i] = runs_.wall_step(i);
         });
         add_largest("largest change of DE between frames by the shape / DE", steps, by_rate(most_wall_step), "");
     }
@@ -154,7 +153,7 @@ private:
         add({"frames inside the hull", percent(count), 90, false, false, "%"});
     }
 
-    void gazes(double bar)
+    void gazes()
     {
         std::size_t count = 0;
         for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
@@ -163,7 +162,7 @@ private:
             const double product = length(motion) * length(view);
             if (product > 0 && dot(motion, view) < std::cos(aside * std::numbers::pi / 180) * product) ++count;
         }
-        add({"frames looking more than 60 deg off the motion", percent(count), bar, true, false, "%"});
+        add({"frames looking more than 60 deg off the motion", percent(count), measures_.aside, true, false, "%"});
     }
 
     void views()
@@ -191,7 +190,7 @@ private:
     void again(const std::vector<Repeated>& views)
     {
         for (const Repeated& view : views) audit_.repeated.push_back(view.later);
-        add({std::string(again_item),
+        add({"the same view again within a minute",
              static_cast<double>(views.size()),
              0,
              true,
@@ -203,9 +202,10 @@ private:
 
     const Path& path_;
     std::size_t stride_;  // frames from one view to the next
+    FlightMeasures measures_;
     Runs runs_;
-    std::vector<double> clearances_;
-    std::vector<Vector> places_;
+    const std::vector<Vector>& places_;
+    const std::vector<double>& clearances_;
     std::size_t turned_at_cap_ = 0;
     Audit audit_;
 };
@@ -224,13 +224,35 @@ int Audit::bars_missed() const
     return static_cast<int>(std::ranges::count_if(rows, [](const Row& row) { return !row.kept(); }));
 }
 
+double Audit::faults() const
+{
+    double sum = 0;
+    for (const Row& row : rows) {
+        if (row.kept()) continue;
+        const double by = std::abs(row.value - row.bar) / std::max(std::abs(row.bar), 1.0);
+        sum += (row.promise ? broken_promise : 1) * (1 + std::min(by, 5.0));
+    }
+    return sum;
+}
+
+std::string Audit::missed(bool promises) const
+{
+    std::string items;
+    for (const Row& row : rows) {
+        if (row.kept() || (promises && !row.promise)) continue;
+        items += fmt::format("{}{} ({:.4g} {} {:.4g}{}{})", items.empty() ? "" : ", ", row.name, row.value,
+                             row.at_most ? ">" : "<", row.bar, row.unit.empty() ? "" : " ", row.unit);
+    }
+    return items.empty() ? "nothing" : items;
+}
+
 Audit audit(const Path& path, int threads, double planning, int stride)
 {
     Auditor auditor(path, threads, stride);
     auditor.promises();
     auditor.quality();
     if (planning > 0)
-        auditor.add({"planning", planning, flight_measures(*path.scene.fractal).limits.planning, true, false, "s"});
+        auditor.add({"planning", planning, flight_measures(*path.scene.fractal).planning, true, false, "s"});
     return auditor.take();
 }
 

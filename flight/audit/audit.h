@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "flight/path/path.h"
@@ -29,15 +28,18 @@ struct Row {
     std::string worst() const;
 };
 
-// The name of the item that counts repeated views.
-inline constexpr std::string_view again_item = "the same view again within a minute";
+inline constexpr double broken_promise = 1000;  // the penalty of a broken promise, as a multiple of another item's
 
 struct Audit {
     std::vector<Row> rows;
-    std::vector<std::size_t> repeated;  // frames whose view repeats an earlier one; each counts in again_item
+    std::vector<std::size_t> repeated;  // frames whose view repeats an earlier one, which one of the items counts
 
     bool promises_kept() const;
     int bars_missed() const;
+    // Returns a penalty for missed thresholds and broken promises; 0 if there are none.
+    double faults() const;
+    // Returns the items that miss their thresholds, with their values. `promises`: only promises count.
+    std::string missed(bool promises) const;
 };
 
 // Measures all items. `threads`: 0 for as many as the process may use; the number does not change the result.

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flight/audit/motion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/text/quantile.h"
 #include "core/render/kernel_scene.h"
-#include "core/scene/fractal.h"
+#include "core/text/error.h"
+#include "core/text/quantile.h"
+#include "flight/field/threads.h"
 #include "flight/path/measures.h"
-#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {
@@ -18,11 +20,6 @@ constexpr double most_jerk = 0.3;         // threshold, as a multiple of the cub
 constexpr double most_angular_jerk = 30;  // threshold, degrees / s^3
 constexpr double some_horizon = 0.25;     // the value of Tilt::horizon for a gaze 30 degrees from vertical
 constexpr double level = 30;              // degrees; a picture with a smaller tilt looks level
-
-constexpr double narrowing = 2;  // ratio of the clearances outside and inside a passage
-// Two passages count as one if the distance between them is less than the larger of these two lengths.
-constexpr double same_clearances = 2;  // clearances
-constexpr double same_size = 0.02;     // fractal sizes
 
 // Returns, for each frame but the last, the rotation from its camera to the next frame's. A rotation is a vector: its
 // direction is the axis, and its length is the angle in radians.
@@ -49,6 +46,39 @@ std::vector<Vector> rotations(const Path& path)
 }
 
 double percentile_95(const std::vector<double>& values) { return values.empty() ? 0 : quantile(values, 0.95); }
+
+constexpr int deepest = 7;     // limit on how often the time between two frames is halved
+constexpr double even = 0.25;  // "close" in free_between(), in units of the smaller clearance at the two ends
+
+constexpr double narrowing = 2;  // ratio of the clearances outside and inside a passage
+// Two passages count as one if the distance between them is less than the larger of these two lengths.
+constexpr double same_clearances = 2;  // clearances
+constexpr double same_size = 0.02;     // fractal sizes
+
+Scene halfway(const Scene& from, const Scene& to)
+{
+    Scene scene = to;
+    scene.eye = 0.5 * (from.eye + to.eye);
+    for (std::size_t i = 0; i < 3; ++i) scene.shape[i] = 0.5 * (from.shape[i] + to.shape[i]);
+    scene.escape = 0.5 * (from.escape + to.escape);
+    return scene;
+}
+
+// Returns the first frame of a chapter, and the first frame after it.
+std::pair<std::size_t, std::size_t> frames_of_chapter(const Path& path, Chapter chapter, int threads)
+{
+    const std::vector<Passage> passages = Runs(path, threads).passages();
+    const std::size_t end = path.frames.size();
+    const std::size_t first = passages.empty() ? end : passages.front().frame;
+    const std::size_t after = passages.empty() ? end : passages.back().frame + 1;
+    const auto [begin, behind] = chapter == Chapter::approach   ? std::pair<std::size_t, std::size_t>{0, first}
+                                 : chapter == Chapter::passages ? std::pair{first, after}
+                                                                : std::pair{after, end};
+    if (begin < behind) return {begin, behind};
+    throw InputError(fmt::format("--chapter: {} given, but this flight of {} frames has {} narrow place{}",
+                                 chapter_names[static_cast<std::size_t>(chapter)], end, passages.size(),
+                                 passages.size() == 1 ? "" : "s"));
+}
 
 }  // namespace
 
@@ -94,6 +124,95 @@ Row level_row(const Path& path)
     return {"frames with a horizon that are within 30 deg of level", share, 75, false, false, "%"};
 }
 
+Stand longest_stand(std::span<const Vector> places, std::span<const double> radii)
+{
+    Stand longest;
+    std::size_t outside = 0;  // index of the first place outside the last stand's radius
+    for (std::size_t i = 0; i + longest.steps + 1 < places.size(); ++i) {
+        const auto within = [&](std::size_t j) {
+            ++longest.distances;
+            return length(places[j] - places[i]) <= radii[i];
+        };
+        // If the stand that begins at i is longer than the longest so far, it includes `far` and every place before
+        // `far`. Among these, the place `outside`, which ended the last stand, is the most likely to end this one, too.
+        // Therefore these two places are tested before the others.
+        const std::size_t far = i + longest.steps + 1;
+        if (!within(far) || (outside > i && outside < far && !within(outside))) continue;
+        outside = i + 1;
+        while (outside < places.size() && within(outside)) ++outside;
+        if (outside - 1 - i > longest.steps) {
+            longest.steps = outside - 1 - i;
+            longest.first = i;
+        }
+    }
+    return longest;
+}
+
+Runs::Runs(const Path& path, int threads) : path_(path)
+{
+    const auto same = [](const Changes& a, const Changes& b) {
+        return a.shape == b.shape && a.iterations == b.iterations && a.escape == b.escape;
+    };
+    for (std::size_t i = 0; i < path.frames.size(); ++i) {
+        if (i == 0 || !same(path.frames[i].changes, path.frames[i - 1].changes)) {
+            runs_.push_back({i, i, std::make_unique<DistanceField>(scene_of(path, path.frames[i], 16, 9), threads)});
+        }
+        runs_.back().last = i + 1;
+        of_.push_back(runs_.size() - 1);
+        places_.push_back(path.frames[i].eye);
+    }
+    clearances_.resize(places_.size());
+    parallel(runs_.size(), 16, this->threads(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r) {
+            const auto [begin, end] = std::pair(runs_[r].first, runs_[r].last);
+            runs_[r].field->distances(std::span(places_).subspan(begin, end - begin),
+                                      std::span(clearances_).subspan(begin, end - begin));
+        }
+    });
+}
+
+std::vector<Passage> Runs::passages() const
+{
+    return distinct_passages([this](std::size_t frame) -> const DistanceField& { return field(frame); }, places_,
+                             clearances_);
+}
+
+bool Runs::free_before(std::size_t frame) const
+{
+    const Vector from = path_.frames[frame - 1].eye;
+    const Vector to = path_.frames[frame].eye;
+    const double way = length(to - from);
+    // Returns true if the segment from a to b meets no solid of `shape`. `clearance`: the estimate at a.
+    const auto straight = [&](const DistanceField& shape, Vector a, Vector b, double clearance) {
+        const double floor = in_solid * shape.bounds().size;
+        return way <= shape.safety() * clearance || shape.least_between(a, b, floor) > floor;
+    };
+    if (!straight(field(frame), to, from, clearances_[frame])) return false;
+    if (!changed(frame)) return true;
+    if (!straight(field(frame - 1), from, to, clearances_[frame - 1])) return false;
+    const auto moment = [&](std::size_t i) { return Moment{scene_of(path_, path_.frames[i], 16, 9), clearances_[i]}; };
+    return free_between(moment(frame - 1), moment(frame), in_solid * field(frame).bounds().size, 0);
+}
+
+bool Runs::free_between(const Moment& from, const Moment& to, double floor, int depth)
+{
+    Moment middle{halfway(from.scene, to.scene), 0};
+    middle.clearance = DistanceField(middle.scene, 1).distance(middle.scene.eye);
+    if (middle.clearance <= floor) return false;
+    const double mean = 0.5 * (from.clearance + to.clearance);
+    if (std::abs(middle.clearance - mean) <= even * std::min(from.clearance, to.clearance) || depth == deepest)
+        return true;
+    return free_between(from, middle, floor, depth + 1) && free_between(middle, to, floor, depth + 1);
+}
+
+double Runs::wall_step(std::size_t frame) const
+{
+    if (!changed(frame)) return 0;
+    const double before = field(frame - 1).distance(path_.frames[frame].eye);
+    const double now = clearances_[frame];
+    return std::abs(now - before) / std::max(std::min(now, before), 1e-300);
+}
+
 std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vector> places,
                                        std::span<const double> clearances)
 {
@@ -128,28 +247,19 @@ std::vector<Passage> distinct_passages(const FieldOf& field, std::span<const Vec
     return passages;
 }
 
-Stand longest_stand(std::span<const Vector> places, std::span<const double> radii)
+std::pair<std::size_t, std::size_t> frames_of(const Path& path, const Part& part, int threads)
 {
-    Stand longest;
-    std::size_t outside = 0;  // index of the first place outside the last stand's radius
-    for (std::size_t i = 0; i + longest.steps + 1 < places.size(); ++i) {
-        const auto within = [&](std::size_t j) {
-            ++longest.distances;
-            return length(places[j] - places[i]) <= radii[i];
-        };
-        // If the stand that begins at i is longer than the longest so far, it includes `far` and every place before
-        // `far`. Among these, the place `outside`, which ended the last stand, is the most likely to end this one, too.
-        // Therefore these two places are tested before the others.
-        const std::size_t far = i + longest.steps + 1;
-        if (!within(far) || (outside > i && outside < far && !within(outside))) continue;
-        outside = i + 1;
-        while (outside < places.size() && within(outside)) ++outside;
-        if (outside - 1 - i > longest.steps) {
-            longest.steps = outside - 1 - i;
-            longest.first = i;
-        }
+    const auto [begin, behind] = part.chapter ? frames_of_chapter(path, *part.chapter, threads)
+                                              : std::pair<std::size_t, std::size_t>{0, path.frames.size()};
+    const auto frames = static_cast<double>(behind - begin);
+    const double rate = path.frames_per_second;
+    const double from = std::round(part.from.value_or(0) * rate);
+    const double to = std::round(part.to.value_or(frames / rate) * rate);
+    if (0 <= from && from < to && to <= frames) {
+        return {begin + static_cast<std::size_t>(from), begin + static_cast<std::size_t>(to) - 1};
     }
-    return longest;
+    throw InputError(fmt::format("--from, --to: {:.6g} to {:.6g} s given, expected a part of the {:.6g} s of the {}",
+                                 from / rate, to / rate, frames / rate, part.chapter ? "chapter" : "flight"));
 }
 
 }  // namespace mandelmarch

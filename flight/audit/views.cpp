@@ -21,17 +21,7 @@ constexpr double filling = 0.9;      // fraction of the pixels
 
 constexpr double coarse = 0.008;  // hit tolerance, as a fraction of the ray's length so far
 
-Camera camera_at(const Frame& frame)
-{
-    Scene scene;
-    scene.eye = frame.eye;
-    scene.target = frame.target;
-    scene.up = frame.up;
-    scene.field_of_view = frame.field_of_view;
-    scene.width = 16;
-    scene.height = 9;
-    return camera_of(scene);
-}
+Camera camera_at(const Frame& frame) { return camera_of(scene_of({}, frame, 16, 9)); }
 
 // A position in a view. Both coordinates run from -1 to 1 over the view's width and height.
 struct ViewPoint {

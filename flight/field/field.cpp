@@ -8,46 +8,20 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "core/os/cores.h"
-#include "core/text/error.h"
-#include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/text/error.h"
 #include "flight/field/threads.h"
 
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t block = 256;  // points per call of the kernel; a multiple of the number of lanes of every pack
-
-// Points in three coordinate arrays, as the kernel reads them. The last point is repeated to fill the last pack.
-struct Block {
-    std::array<double, block> x, y, z;
-
-    Block(std::span<const Vector> points, std::size_t padded)
-    {
-        for (std::size_t i = 0; i < padded; ++i) {
-            const Vector& p = points[std::min(i, points.size() - 1)];
-            x[i] = p.x;
-            y[i] = p.y;
-            z[i] = p.z;
-        }
-    }
-    field::Points points() const { return {x.data(), y.data(), z.data()}; }
-};
-
-std::size_t padded(std::size_t count, int lanes)
-{
-    const auto n = static_cast<std::size_t>(lanes);
-    return (count + n - 1) / n * n;
-}
+constexpr std::size_t many = 256;  // points or rays; computations of more check the budget
 
 static_assert(sizeof(Vector) == 3 * sizeof(double));
 field::Triples triples(std::span<const Vector> vectors) { return reinterpret_cast<field::Triples>(vectors.data()); }
-
-double cleaned(double estimate) { return estimate > 0 ? estimate : 0; }
 
 // Returns a sphere around the origin that contains the fractal. Rays are cast from far outside towards the origin; the
 // radius is the distance of the outermost hit from the origin plus 2 %, but at least 0.1.
@@ -120,14 +94,9 @@ double DistanceField::distance(Vector p) const
 void DistanceField::distances(std::span<const Vector> points, std::span<double> out) const
 {
     parallel(points.size(), 4096, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t at = first; at < last; at += block) {
-            const std::size_t count = std::min(block, last - at);
-            if (budget_ != nullptr && points.size() > block) budget_->check();
-            const std::size_t whole = padded(count, kernel_.lanes);
-            const Block in(points.subspan(at, count), whole);
-            std::array<double, block> result;
-            kernel_.distances(data_, in.points(), whole, result.data());
-            for (std::size_t i = 0; i < count; ++i) out[at + i] = cleaned(result[i]);
+        for (std::size_t at = first; at < last; at += many) {
+            if (budget_ != nullptr && points.size() > many) budget_->check();
+            kernel_.distances(data_, triples(points.subspan(at)), std::min(many, last - at), out.data() + at);
         }
     });
 }
@@ -136,7 +105,7 @@ void DistanceField::casts(std::span<const Vector> from, std::span<const Vector> 
                           std::span<double> out) const
 {
     parallel(from.size(), 1024, threads_, [&](std::size_t first, std::size_t last) {
-        if (budget_ != nullptr && from.size() > block) budget_->check();
+        if (budget_ != nullptr && from.size() > many) budget_->check();
         kernel_.casts(data_, triples(from.subspan(first)), triples(along.subspan(first)), reach, last - first,
                       out.data() + first);
     });
@@ -181,6 +150,40 @@ std::string flight_objection(const Scene& scene)
                            fractal.name, name, scene.shape[i], name, official.shape[i]);
     }
     return fmt::format("this {} cannot be flown through, expected another shape", fractal.name);
+}
+
+Shapes::Shapes(const Scene& scene, std::size_t number, int threads, const Budget* budget)
+    : field_(scene, threads, budget), number_(number)
+{
+}
+
+Scene Shapes::scene(double value) const
+{
+    Scene scene = field_.scene();
+    scene.shape[number_] = value;
+    return scene;
+}
+
+const DistanceField& Shapes::at(double value, std::optional<DistanceField>& room) const
+{
+    if (value == usual()) return field_;
+    return room.emplace(scene(value), field_.threads(), field_.budget());
+}
+
+void Shapes::distances(std::span<const Vector> points, std::span<const double> values, std::span<double> out) const
+{
+    if (std::ranges::all_of(values, [this](double value) { return value == usual(); })) {
+        field_.distances(points, out);
+        return;
+    }
+    parallel(points.size(), 64, field_.threads(), [&](std::size_t first, std::size_t last) {
+        // Consecutive points with the same value share a field.
+        for (std::size_t at = first, end = first; at < last; at = end) {
+            while (end < last && values[end] == values[at]) ++end;
+            std::optional<DistanceField> room;
+            this->at(values[at], room).distances(points.subspan(at, end - at), out.subspan(at, end - at));
+        }
+    });
 }
 
 }  // namespace mandelmarch

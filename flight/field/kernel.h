@@ -13,13 +13,6 @@ struct Scene;  // core/render/kernel_scene.h
 
 namespace mandelmarch::field {
 
-// Points (or vectors) as one array for each coordinate.
-struct Points {
-    const double* x;
-    const double* y;
-    const double* z;
-};
-
 // Points (or vectors) as x, y and z, one point after another.
 using Triples = const double (*)[3];
 
@@ -34,8 +27,8 @@ struct Reach {
 
 struct Kernel {
     int lanes;
-    // Writes the estimate at each point. `count` must be a multiple of `lanes`.
-    void (*distances)(const layout_f64::Scene& scene, Points points, std::size_t count, double* out);
+    // Writes the estimate at each point; 0 if it is negative or NaN.
+    void (*distances)(const layout_f64::Scene& scene, Triples points, std::size_t count, double* out);
     // Writes the length of each ray, at most `reach.end`. `along`: unit vectors.
     void (*casts)(const layout_f64::Scene& scene, Triples from, Triples along, Reach reach, std::size_t count,
                   double* out);

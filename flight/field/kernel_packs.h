@@ -92,16 +92,22 @@ HWY_INLINE int store_active(const real& from, const mask& on, double* to)
 }
 #endif
 
-HWY_INLINE vec3 load3(Points from, std::size_t at)
-{
-    return vec3(load(from.x + at), load(from.y + at), load(from.z + at));
-}
-
-void distances(const layout_f64::Scene& data, Points points, std::size_t count, double* out)
+void distances(const layout_f64::Scene& data, Triples points, std::size_t count, double* out)
 {
     const Scene& scene = reinterpret_cast<const Scene&>(data);
     const mask on = real(0.0) < real(1.0);
-    for (std::size_t i = 0; i < count; i += pack_lanes) store(estimate(scene, load3(points, i), on).distance, out + i);
+    double of[3][pack_lanes];
+    double found[pack_lanes];
+    for (std::size_t first = 0; first < count; first += pack_lanes) {
+        // The last point is repeated to fill the last pack.
+        for (std::size_t i = 0; i < pack_lanes; ++i) {
+            for (int c = 0; c < 3; ++c) of[c][i] = points[HWY_MIN(first + i, count - 1)][c];
+        }
+        store(estimate(scene, vec3(load(of[0]), load(of[1]), load(of[2])), on).distance, found);
+        for (std::size_t i = first; i < HWY_MIN(first + pack_lanes, count); ++i) {
+            out[i] = found[i - first] > 0 ? found[i - first] : 0;
+        }
+    }
 }
 
 constexpr int marching_rays = 256 > 2 * pack_lanes ? 256 : 2 * pack_lanes;

@@ -2,9 +2,7 @@
 #include "flight/film/convergence.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <string>
 #include <tuple>
 #include <utility>
 

@@ -11,7 +11,7 @@
 #include "core/text/text.h"
 #include "core/text/version.h"
 #include "core/scene/fractal.h"
-#include "flight/film/stamp.h"
+#include "flight/film/segment_store.h"
 
 namespace mandelmarch {
 namespace {

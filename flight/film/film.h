@@ -16,16 +16,22 @@ namespace mandelmarch {
 // A range of indices, both ends included.
 using Range = std::pair<std::size_t, std::size_t>;
 
+// Options of a film or of stills.
 struct FilmOptions {
     std::string output = "video.mp4";
+    std::string stills;  // folder for still frames instead of a film; empty: none
+    bool jpeg = false;   // stills are JPEG files, not PNG files
+    // Only every `every`-th frame becomes a still. make_film() does not use it: the path of such a film has these
+    // frames alone.
+    std::size_t every = 1;
     std::string title;    // first line of the title before the flight; empty: none
     std::string authors;  // second line of the title; empty: none
     Picture picture;
     RendererOptions renderer;
     // For array jobs. If set, only segments [first, second] are rendered, and the film is not joined. Segments beyond
-    // the film's end are ignored.
+    // the film's end are ignored. Segment 0 begins at the first frame of `frames`.
     std::optional<Range> segments;
-    // The frames [first, second] of the path that the film shows; all if not set.
+    // The frames [first, second] of the path that are shown; all if not set.
     std::optional<Range> frames;
 };
 
@@ -62,22 +68,11 @@ void check_film(const FilmOptions& options, std::size_t frames, int rate);
 // (ffmpeg failed, the disk is full, another run is making a film of this name) and Unavailable.
 FilmStats make_film(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
 
-struct StillOptions {
-    std::string folder;
-    bool jpeg = false;
-    std::size_t every = 1;
-    Picture picture;
-    RendererOptions renderer;
-    // A frame becomes a still only if it is in the range `frames` and in a segment of the range `segments`. A range
-    // that is not set excludes nothing. Segment 0 begins at the first frame of `frames`.
-    std::optional<Range> segments, frames;
-};
-
 // Throws InputError if stills cannot be made from a path of `frames` frames.
-void check_stills(const StillOptions& options, std::size_t frames);
+void check_stills(const FilmOptions& options, std::size_t frames);
 
 // Writes frame-000123.png (or .jpg) and its stamp for every `every`-th of the chosen frames. Keeps files that are
 // finished according to their stamps. Returns the number of stills, including those kept.
-std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks);
+std::size_t make_stills(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
 
 }  // namespace mandelmarch

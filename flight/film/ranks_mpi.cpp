@@ -132,7 +132,7 @@ private:
 
 std::unique_ptr<Ranks> make_ranks()
 {
-    if (!started_by_mpi()) return one_rank();
+    if (!started_by_mpi()) return std::make_unique<Ranks>();
     return std::make_unique<MpiRanks>();
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <string>
 
@@ -14,27 +13,15 @@
 #include "flight/film/ranks.h"
 
 namespace mandelmarch {
-namespace {
 
-class OneRank : public Ranks {
-public:
-    int rank() const override { return 0; }
-    int size() const override { return 1; }
-    int local_rank() const override { return 0; }
-    int local_size() const override { return 1; }
-    std::string share(const std::string& text) override { return text; }
-    void each(std::size_t count, const std::function<void(std::size_t)>& body,
-              const std::function<void(std::size_t)>& done) override
-    {
-        for (std::size_t i = 0; i < count; ++i) {
-            body(i);
-            done(i);
-        }
+void Ranks::each(std::size_t count, const std::function<void(std::size_t)>& body,
+                 const std::function<void(std::size_t)>& done)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        body(i);
+        done(i);
     }
-    void abort(int code) override { std::exit(code); }
-};
-
-}  // namespace
+}
 
 bool started_by_mpi()
 {
@@ -57,8 +44,6 @@ void refuse_singletons(const Ranks& ranks)
         set->text, printable(tasks)));
 }
 
-std::unique_ptr<Ranks> one_rank() { return std::make_unique<OneRank>(); }
-
 #ifndef MANDELMARCH_HAS_MPI
 std::unique_ptr<Ranks> make_ranks()
 {
@@ -66,7 +51,7 @@ std::unique_ptr<Ranks> make_ranks()
         throw Unavailable(
             "this program was built without MPI and cannot share work, expected no mpirun or a build with MPI");
     }
-    return one_rank();
+    return std::make_unique<Ranks>();
 }
 #endif
 

@@ -12,11 +12,11 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/text/console.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/os/input_file.h"
 #include "core/os/output_file.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {
@@ -43,6 +43,12 @@ void make_folder(const std::string& folder)
     fs::create_directories(folder, error);
     if (error) throw Error(fmt::format("{}: cannot make the folder: {}", folder, error.message()));
     if (fs::is_symlink(folder, error)) throw Error(folder + ": it is a link, expected a folder");
+}
+
+// Returns the content of a stamp.
+std::string stamp_text(const std::string& made_of, const std::string& bytes)
+{
+    return fmt::format("{}\n{}\n", made_of, bytes);
 }
 
 }  // namespace
@@ -177,6 +183,46 @@ void SegmentStore::close()
     // Removes the folder PARTS, unless it still contains another film's segments.
     fs::remove(parts_ + lock_name, ignored);
     fs::remove(parts_, ignored);
+}
+
+void Digest::add(const void* data, std::size_t size)
+{
+    first_ = fnv1a(data, size, first_);
+    second_ = fnv1a(data, size, second_);
+}
+
+std::string Digest::text() const { return fmt::format("{:016x}{:016x}", first_, second_); }
+
+std::string digest(const std::string& text)
+{
+    Digest made;
+    made.add(text.data(), text.size());
+    return made.text();
+}
+
+std::string digest_of_file(const std::string& file)
+{
+    InputFile input(file, "file", NamedBy::program);
+    Digest made;
+    for (std::string part; input.next(part);) made.add(part.data(), part.size());
+    return made.text();
+}
+
+std::string stamp_path(const std::string& file) { return file + ".made"; }
+
+FileState state_of(const std::string& file, const std::string& made_of)
+{
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(file, error))) return FileState::missing;
+    if (!fs::is_regular_file(file, error)) return FileState::damaged;
+    const auto text = own_file(stamp_path(file));
+    if (!text || !text->starts_with(made_of + "\n")) return FileState::damaged;
+    return *text == stamp_text(made_of, digest_of_file(file)) ? FileState::whole : FileState::damaged;
+}
+
+void write_note(const std::string& file, const std::string& made_of, const std::string& bytes)
+{
+    write_file(stamp_path(file), stamp_text(made_of, bytes), NamedBy::program);
 }
 
 }  // namespace mandelmarch

@@ -11,7 +11,6 @@
 #include "core/text/console.h"
 #include "core/text/error.h"
 #include "core/os/files.h"
-#include "core/os/output_file.h"
 #include "core/image/formats/image_file.h"
 #include "flight/film/description.h"
 #include "flight/film/film.h"
@@ -35,7 +34,7 @@ void write_still(const std::string& file, ImageFormat format, const std::vector<
     write_image(file, format, image, NamedBy::program);
 }
 
-std::vector<std::size_t> frames_of(const StillOptions& options, std::size_t all)
+std::vector<std::size_t> frames_of(const FilmOptions& options, std::size_t all)
 {
     const auto [begin, end] = chosen_frames(options.frames, all);
     const auto [first, after] = chosen_segments(options.segments, end - begin + 1);
@@ -72,13 +71,13 @@ Range chosen_segments(const std::optional<Range>& segments, std::size_t frames)
     return {std::min(first, all), std::min(last + 1, all)};
 }
 
-void check_stills(const StillOptions& options, std::size_t frames)
+void check_stills(const FilmOptions& options, std::size_t frames)
 {
     check_picture(options.picture);
     static_cast<void>(frames_of(options, frames));
     // The folder, or its nearest existing parent, must be a folder in which this user can create files.
     std::error_code error;
-    fs::path folder = fs::absolute(options.folder);
+    fs::path folder = fs::absolute(options.stills);
     while (!fs::exists(fs::symlink_status(folder, error)) && folder.has_relative_path()) folder = folder.parent_path();
     if (!fs::is_directory(folder, error)) {
         throw InputError(fmt::format("--stills: {} is not a folder, expected a folder for pictures", folder.string()));
@@ -88,15 +87,15 @@ void check_stills(const StillOptions& options, std::size_t frames)
     }
 }
 
-std::size_t make_stills(const Path& path, const Backend& backend, const StillOptions& options, Ranks& ranks)
+std::size_t make_stills(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks)
 {
     if (ranks.rank() == 0) check_stills(options, path.frames.size());
     std::error_code error;
-    fs::create_directories(options.folder, error);
-    if (error) throw Error(fmt::format("{}: cannot make the folder: {}", options.folder, error.message()));
+    fs::create_directories(options.stills, error);
+    if (error) throw Error(fmt::format("{}: cannot make the folder: {}", options.stills, error.message()));
     const std::vector<std::size_t> frames = frames_of(options, path.frames.size());
     const auto name = [&](std::size_t frame) {
-        return fmt::format("{}/frame-{:06}.{}", options.folder, frame, options.jpeg ? "jpg" : "png");
+        return fmt::format("{}/frame-{:06}.{}", options.stills, frame, options.jpeg ? "jpg" : "png");
     };
     const std::string pictures = digest(
         description_of(path, backend, options.picture, options.renderer, {{"encoder", options.jpeg ? "jpeg" : "png"}}));
@@ -113,7 +112,7 @@ std::size_t make_stills(const Path& path, const Backend& backend, const StillOpt
             write_note(file, made_of(frames[i]), digest_of_file(file));
         },
         [&](std::size_t) { progress.add(1); });
-    if (ranks.rank() == 0) name_others(options.folder, pictures);
+    if (ranks.rank() == 0) name_others(options.stills, pictures);
     return frames.size();
 }
 

@@ -8,11 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "core/text/environment.h"
 #include "core/text/error.h"

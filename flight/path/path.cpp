@@ -2,11 +2,8 @@
 #include "flight/path/path.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <vector>
 
 #include "core/render/stepping.h"
 #include "core/scene/fractal.h"

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -27,8 +26,6 @@ struct Changes {
     std::optional<double> escape;
     std::optional<int> colouring;
     std::optional<double> brightness;
-
-    bool none() const { return !detail && !shape && !iterations && !escape && !colouring && !brightness; }
 };
 
 struct Frame {

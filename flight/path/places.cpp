@@ -6,23 +6,23 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
+#include <utility>
 
 #include "core/text/error.h"
 #include "core/os/input_file.h"
 #include "core/text/number.h"
 #include "core/text/text.h"
-#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {
 
-constexpr std::size_t columns = 8;
+constexpr std::size_t columns = 10;
 constexpr std::size_t needed = 6;  // the first of the columns; a table may lack the others
 constexpr std::size_t most_places = 1000;
 constexpr std::size_t longest_field = 80;  // bytes of a field in a message
 constexpr double farthest = 1e9;           // largest coordinate
 constexpr double latest = 1e6;             // seconds
+constexpr double least_lens = 0.1, most_lens = 2;
 using Fields = std::array<std::string, columns>;
 constexpr std::string_view tour_word = "tour";
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -150,6 +150,8 @@ private:
         if (!(length(place.target - place.eye) > 0)) fail("look_at is the location, expected another point");
         if (!fields[6].empty()) place.second = real(fields, 6, 0, latest);
         place.stay = fields[7].empty() ? usual_stay : real(fields, 7, 0, most_stay);
+        if (!fields[8].empty()) place.lens = real(fields, 8, least_lens, most_lens);
+        if (!fields[9].empty()) place.roll = real(fields, 9, -180, 180);
         place.tour = places_.tour_after;
         place.line = number_;
         if (place.tour && place.second == 0) fail("second is 0, expected a later one after a tour");
@@ -180,10 +182,11 @@ private:
 
 }  // namespace
 
-std::string place_line(Vector eye, Vector target)
+std::string place_line(const Place& place)
 {
-    return fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},,{}", eye.x, eye.y, eye.z, target.x, target.y,
-                       target.z, usual_stay);
+    const auto& [eye, target] = std::pair(place.eye, place.target);
+    return fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},,{},{:.4g},{:.4g}", eye.x, eye.y, eye.z,
+                       target.x, target.y, target.z, usual_stay, place.lens, place.roll);
 }
 
 Places places_from_text(const std::string& text, const std::string& name)

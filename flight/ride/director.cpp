@@ -11,7 +11,6 @@
 #include "flight/audit/views.h"
 #include "flight/field/threads.h"
 #include "flight/ride/gaze.h"
-#include "flight/route/tour.h"
 
 namespace mandelmarch {
 namespace {

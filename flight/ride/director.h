@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "flight/field/shapes.h"
+#include "flight/field/field.h"
 #include "flight/path/path.h"
 #include "flight/ride/trajectory.h"
 

@@ -2,11 +2,8 @@
 #include "flight/ride/gaze.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
-
-#include "flight/path/path.h"
 
 namespace mandelmarch {
 namespace {
@@ -106,20 +103,21 @@ std::vector<Frame> cameras(const Trajectory& ride, const std::vector<Vector>& ga
     return frames;
 }
 
-void hold_level(std::vector<Frame>& frames, const Fractal& fractal)
+void hold_level(std::vector<Frame>& frames, const Fractal& fractal, const std::vector<double>& tilts)
 {
     const double most = most_roll * std::numbers::pi / 180;
     double roll = 0;  // radians
-    for (const Frame& frame : frames) {
-        if (const Tilt tilt = tilt_of(frame, fractal); tilt.horizon > clear_horizon) {
-            roll = tilt.angle;
+    const auto wanted = [&](std::size_t i) { return tilts.empty() ? 0 : tilts[i]; };
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        if (const Tilt tilt = tilt_of(frames[i], fractal); tilt.horizon > clear_horizon) {
+            roll = tilt.angle - wanted(i);
             break;
         }
     }
     std::vector<double> rolls;
-    for (const Frame& frame : frames) {
-        const Tilt tilt = tilt_of(rolled(frame, roll), fractal);
-        roll += std::clamp(roll_share * tilt.horizon * tilt.angle, -most, most);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const Tilt tilt = tilt_of(rolled(frames[i], roll), fractal);
+        roll += std::clamp(roll_share * tilt.horizon * (tilt.angle - wanted(i)), -most, most);
         rolls.push_back(roll);
     }
     rolls = blurred(rolls);

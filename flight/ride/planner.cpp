@@ -12,16 +12,13 @@
 #include "core/os/stopwatch.h"
 #include "core/scene/fractal.h"
 #include "flight/audit/audit.h"
-#include "flight/audit/motion.h"
 #include "flight/path/measures.h"
 #include "flight/route/elastic_band.h"
-#include "flight/ride/choice.h"
 #include "flight/ride/director.h"
 #include "flight/ride/gaze.h"
 #include "flight/ride/pacing.h"
 #include "flight/ride/trajectory.h"
 #include "flight/route/roadmap.h"
-#include "flight/ride/stops.h"
 #include "flight/ride/visits.h"
 
 namespace mandelmarch {
@@ -45,14 +42,13 @@ constexpr int audit_stride = 5;  // frames between the views that audits of tour
 
 class Planner {
 public:
-    Planner(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads,
-            const Budget& budget, const Places& places)
-        : schedule_(schedule),
-          places_(places),
-          shapes_(scene, schedule.number(), threads, &budget),
-          measures_(flight_measures(*scene.fractal)),
-          seed_(seed),
-          frames_(frames),
+    Planner(const PlanOptions& options, const Budget& budget)
+        : schedule_(options.schedule),
+          places_(options.places),
+          shapes_(options.scene, options.schedule.number(), options.threads, &budget),
+          measures_(flight_measures(*options.scene.fractal)),
+          seed_(options.seed),
+          frames_(options.frames),
           size_(shapes_.field().bounds().size),
           atlas_(shapes_, schedule_)
     {
@@ -179,7 +175,7 @@ private:
         path.scene = shapes_.field().scene();
         path.seed = seed_;
         path.frames = cameras(flown.ride, views, first_up(views[0]), field_of_view);
-        hold_level(path.frames, *path.scene.fractal);
+        hold_level(path.frames, *path.scene.fractal, hold_lens(path.frames, flown.stops));
         if (schedule_.changes()) change(path, flown.track, flown.ride);
         cut_digits(path);
         return path;
@@ -211,11 +207,7 @@ private:
         }
     }
 
-    // Returns the up vector of the first camera: the y axis, or the z axis if the camera looks within about 45 degrees
-    // of the y axis.
-    static Vector first_up(Vector view) { return std::abs(view.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1}; }
-
-    Schedule schedule_;
+    const Schedule& schedule_;
     const Places& places_;
     Shapes shapes_;
     FlightMeasures measures_;
@@ -232,33 +224,34 @@ private:
 
 }  // namespace
 
-Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads, const Log& log,
-          double most_seconds, const Places& places)
+Plan plan(PlanOptions options)
 {
     const auto start = Clock::now();
     const auto seconds = [&] { return seconds_since(start); };
     const auto say = [&](const std::string& text) {
-        if (log) log(fmt::format("{:5.1f} s  {}", seconds(), text));
+        if (options.log) options.log(fmt::format("{:5.1f} s  {}", seconds(), text));
     };
-    Scene first = scene;
-    if (!schedule.knots().empty()) first.shape[schedule.number()] = schedule.value(0);
-    if (const std::string objection = flight_objection(first); !objection.empty()) throw InputError(objection);
+    const auto& [scene, schedule, seed, frames, threads, log, most_seconds, places] = options;
+    if (!schedule.knots().empty()) options.scene.shape[schedule.number()] = schedule.value(0);
+    if (const std::string objection = flight_objection(scene); !objection.empty()) throw InputError(objection);
     const Budget budget(most_seconds > 0 ? most_seconds : usual_seconds + seconds_a_frame * frames);
     if (schedule.changes() && !places.all.empty()) {
         throw InputError(fmt::format("{}: the shape changes in flight, expected a constant shape", places.file));
     }
-    Planner planner(first, schedule, seed, frames, threads, budget, places);
+    Planner planner(options, budget);
     say(fmt::format("{} balls, {} gates{}", planner.atlas().balls().size(), planner.atlas().gates().size(),
                     planner.atlas().shapes() > 1 ? fmt::format(" of {} shapes", planner.atlas().shapes()) : ""));
-    planner.atlas().check(first);
+    planner.atlas().check(scene);
     planner.find_places();
     constexpr int most_attempts = 24;
     constexpr int usual_attempts = 12;
     constexpr int most_gazes = 5;              // flights audited for each tour
     constexpr std::size_t most_repeated = 16;  // views; with more, the gaze is not chosen again
     constexpr int most_missed = 6;             // tours that miss a place, if no tour has visited all places
-    Best best;
-    std::string missed;  // message of the tour before
+    Path best;                                 // empty: no tour so far is long enough and passes all places
+    double faults = 1e300;                     // of the best flight
+    std::string broken;                        // its broken promises
+    std::string missed;                        // message of the tour before
     int attempts = 0;
     for (int number = 0; number < most_attempts; ++number) {
         budget.check();
@@ -270,7 +263,7 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
                     : fmt::format("tour {}: {}", number, planner.missed()));
             // The same message twice means that the tours' random choices change nothing.
             const bool again = planner.missed() == missed || number + 1 >= most_missed;
-            if (!planner.missed().empty() && best.path.frames.empty() && again) break;
+            if (!planner.missed().empty() && best.frames.empty() && again) break;
             missed = planner.missed();
             continue;
         }
@@ -279,17 +272,34 @@ Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int 
             budget.check();
             const Audit result = audit(path, threads, 0, audit_stride);
             say(fmt::format("tour {}{}: misses {}\n{}", number, gaze > 0 ? ", looking elsewhere" : "",
-                            missed_items(result, false), table_of(path, result)));
-            const bool mendable = misses_only(result, again_item) && result.repeated.size() <= most_repeated;
+                            result.missed(false), table_of(path, result)));
+            const bool mendable =
+                result.bars_missed() == 1 && !result.repeated.empty() && result.repeated.size() <= most_repeated;
             Path next = mendable && gaze + 1 < most_gazes ? planner.look_elsewhere(path, result.repeated) : Path{};
-            best.take(std::move(path), result);
+            if (result.faults() < faults) {
+                faults = result.faults();
+                broken = result.missed(true);
+                best = std::move(path);
+            }
             path = std::move(next);
         }
-        if (best.faults == 0 || (number + 1 >= usual_attempts && best.faults < broken_promise)) break;
+        if (faults == 0 || (number + 1 >= usual_attempts && faults < broken_promise)) break;
     }
     std::vector<Ball> gates = planner.atlas().gates();
-    check_found(best, planner.missed(), seed, frames, gates.size());
-    return {std::move(best.path), seconds(), attempts, planner.atlas().balls(), std::move(gates)};
+    if (best.frames.empty()) {
+        if (!planner.missed().empty()) throw InputError(planner.missed());
+        throw Error(
+            fmt::format("plan: no tour of seed {} is long enough for {} frames among {} gates, expected fewer "
+                        "frames, another seed or a shape with more gates",
+                        seed, frames, gates.size()));
+    }
+    if (faults >= broken_promise) {
+        throw Error(
+            fmt::format("plan: no tour of seed {} among {} gates keeps every promise, the best breaks: {}; "
+                        "expected another seed or a shape with more gates",
+                        seed, gates.size(), broken));
+    }
+    return {std::move(best), seconds(), attempts, planner.atlas().balls(), std::move(gates)};
 }
 
 }  // namespace mandelmarch

@@ -24,18 +24,24 @@ struct Plan {
 // A function that receives progress messages, some of which have several lines.
 using Log = std::function<void(const std::string&)>;
 
+struct PlanOptions {
+    Scene scene;             // the fractal; the camera and the size are unused
+    Schedule schedule = {};  // how the fractal changes in flight
+    std::uint64_t seed = 1;
+    int frames = 0;   // length of the flight; if it ends at the last of the places, its largest length
+    int threads = 0;  // 0 for as many as the process may use
+    Log log = {};
+    double most_seconds = 0;  // limit on the processor time; 0: a limit that grows with the frames
+    // Places that the flight visits. The flight ends at the last one, unless a tour follows it.
+    Places places = {};
+};
+
 // Returns a flight that keeps every promise of docs/flight.md. The same seed gives the same path on any number of
 // threads.
-// `schedule`: how the scene's fractal changes in flight.
-// `frames`: length of the flight; if it ends at the last of the places, its largest length.
-// `threads`: 0 for as many as the process may use.
-// `most_seconds`: limit on the processor time; 0: a limit that grows with the frames.
-// `places`: places that the flight visits. The flight ends at the last one, unless a tour follows it.
 // Throws InputError if the shape cannot be flown through, if it has no free space or (unless it changes) no gates, or
 // if the limit is exceeded. Throws Error if no tour is long enough, or none keeps the promises.
 // Throws InputError with a place's file and line if the shape changes, if the place cannot be reached or seen, or if no
 // flight is in time.
-Plan plan(const Scene& scene, const Schedule& schedule, std::uint64_t seed, int frames, int threads,
-          const Log& log = {}, double most_seconds = 0, const Places& places = {});
+Plan plan(PlanOptions options);
 
 }  // namespace mandelmarch

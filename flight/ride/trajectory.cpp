@@ -5,8 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include "flight/route/tour.h"
-
 namespace mandelmarch {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "flight/field/shapes.h"
+#include "flight/field/field.h"
 #include "flight/route/elastic_band.h"
 
 namespace mandelmarch {
@@ -29,6 +29,8 @@ struct Stop {
     double stay;                  // frames
     std::optional<double> frame;  // frame of the arrival; nullopt: the planner chooses it
     Vector along;                 // unit vector; the gaze during the stay
+    double lens;                  // field of view during the stay
+    double roll;                  // radians; tilt of the camera during the stay
     // In the time of a trajectory, in frames; set by ride_to_stops().
     double arrives = 0, leaves = 0;
 };

@@ -10,12 +10,13 @@
 #include <utility>
 
 #include "core/text/error.h"
-#include "flight/audit/runs.h"
+#include "flight/audit/motion.h"
 #include "flight/audit/views.h"
 #include "flight/path/path.h"
 #include "flight/ride/director.h"
+#include "flight/ride/gaze.h"
 #include "flight/route/search.h"
-#include "flight/ride/stops.h"
+#include "flight/ride/pacing.h"
 
 namespace mandelmarch {
 namespace {
@@ -31,8 +32,7 @@ std::string text_of(Vector p) { return fmt::format("{:.6g},{:.6g},{:.6g}", p.x, 
 
 bool shows(const DistanceField& field, Vector eye, Vector along)
 {
-    const Vector up = std::abs(along.y) < 0.7 ? Vector{0, 1, 0} : Vector{0, 0, 1};
-    return view_of(field, {eye, eye + along, up, 1, {}}).middle_hit_share() >= least_shown;
+    return view_of(field, {eye, eye + along, first_up(along), 1, {}}).middle_hit_share() >= least_shown;
 }
 
 // Finds the visits of places in a roadmap.

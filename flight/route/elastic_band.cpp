@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/text/text.h"
 #include "flight/field/threads.h"
 
 namespace mandelmarch {
@@ -80,7 +81,8 @@ Band resampled(const Shapes& shapes, const Band& old)
 
 Band band_of(const Shapes& shapes, const Polyline& way)
 {
-    Band band{way.points, way.pinned, way.clock, way.found, std::vector<double>(way.points.size())};
+    Band band{mapped(way, &WayPoint::at), mapped(way, &WayPoint::pin), mapped(way, &WayPoint::clock),
+              mapped(way, &WayPoint::found), std::vector<double>(way.size())};
     shapes.distances(band.at, band.value, band.clearance);
     return resampled(shapes, band);
 }

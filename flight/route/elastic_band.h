@@ -2,7 +2,7 @@
 // Smooths a polyline in free space by an elastic band.
 #pragma once
 
-#include "flight/field/shapes.h"
+#include "flight/field/field.h"
 #include "flight/route/schedule.h"
 #include "flight/route/tour.h"
 

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <optional>
 
-#include "core/scene/fractal.h"
 #include "flight/field/threads.h"
 #include "flight/route/random.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "flight/field/shapes.h"
+#include "flight/field/field.h"
 #include "flight/route/gates.h"
 #include "flight/route/schedule.h"
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/text/error.h"
@@ -32,8 +31,8 @@ public:
         std::vector<Knot> knots;
         const double last = frames_ - 1;
         if (text_.find('=') != std::string::npos) {
-            for (const std::string_view part : parts(',')) knots.push_back(knot(part));
-        } else if (const auto values = parts(':'); values.size() == 2) {
+            for (const std::string_view part : split(text_, ',')) knots.push_back(knot(part));
+        } else if (const auto values = split(text_, ':'); values.size() == 2) {
             knots = {{0, value(values[0])}, {last, value(values[1])}};
         } else {
             knots = {{0, value(text_)}};
@@ -73,18 +72,6 @@ private:
                 fmt::format("--{}: the {} has none, expected another fractal", name, scene_.fractal->name));
         }
         return static_cast<std::size_t>(found - shape.begin());
-    }
-
-    std::vector<std::string_view> parts(char between) const
-    {
-        std::vector<std::string_view> all;
-        std::string_view rest = text_;
-        for (auto at = rest.find(between); at != std::string_view::npos; at = rest.find(between)) {
-            all.push_back(rest.substr(0, at));
-            rest.remove_prefix(at + 1);
-        }
-        all.push_back(rest);
-        return all;
     }
 
     // Parses a value and rounds it to single precision, as the reader of parameter files rounds it.

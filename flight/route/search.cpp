@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -90,7 +89,7 @@ void Search::relax(Queue& queue, Node node, double cost, double clock, Node befo
     state.cost = cost;
     state.clock = clock;
     state.before = before;
-    queue.emplace(cost, std::pair{node.stretch, node.ball});
+    queue.emplace(cost, node);
 }
 
 double Search::with_penalties(double steps, Node to) const
@@ -107,9 +106,8 @@ bool Search::find(Node from, Node to)
     Queue queue;
     relax(queue, from, 0, 0, {});
     while (!queue.empty()) {
-        const auto [cost, name] = queue.top();
+        const auto [cost, node] = queue.top();
         queue.pop();
-        const Node node{name.first, name.second};
         if (cost > states_[index(node)].cost) continue;
         if (node.ball == to.ball) return true;
         for (const Link& link : roads(node.stretch).balls.links(node.ball)) {
@@ -120,7 +118,7 @@ bool Search::find(Node from, Node to)
     return false;
 }
 
-Entry Search::next(Node from, double clock, std::span<const Vector> done, FlightRandom& random)
+Entry Search::next(Node from, double clock, Vector heading, FlightRandom& random)
 {
     ++turn_;
     Queue queue;
@@ -131,9 +129,8 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
     int found = 0;
     const int most = std::min(choices, left());
     while (!queue.empty() && found < most) {
-        const auto [cost, name] = queue.top();
+        const auto [cost, node] = queue.top();
         queue.pop();
-        const Node node{name.first, name.second};
         const std::size_t b = index(node);
         const State& state = states_[b];
         if (cost > state.cost) continue;
@@ -152,7 +149,7 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
             if (flown_[static_cast<std::size_t>(node.stretch)][static_cast<std::size_t>(gate.kind)] != 0) continue;
             ++found;
             const Node behind{node.stretch, gate.balls[1 - static_cast<std::size_t>(entry) % 2]};
-            const double wanted = (10 + cost + turn_cost(node, {node.stretch, entry}, done)) *
+            const double wanted = (10 + cost + turn_cost(node, {node.stretch, entry}, heading)) *
                                   (1 + whim * random.share()) / (0.4 + gate.walled) *
                                   (states_[index(behind)].outside ? outside_penalty : 1);
             if (wanted < best_cost) {
@@ -163,8 +160,8 @@ Entry Search::next(Node from, double clock, std::span<const Vector> done, Flight
         // The search waits for memory less if the balls of all links are fetched at once.
         const auto links = here.balls.links(node.ball);
         for (const Link& link : links) __builtin_prefetch(&states_[index({node.stretch, link.to})]);
-        if (!queue.empty() && queue.top().second.first == node.stretch) {
-            __builtin_prefetch(here.balls.links(queue.top().second.second).data());
+        if (!queue.empty() && queue.top().second.stretch == node.stretch) {
+            __builtin_prefetch(here.balls.links(queue.top().second.ball).data());
         }
         for (const Link& link : links) {
             const Node to{node.stretch, link.to};
@@ -183,7 +180,7 @@ int Search::left() const
     return 2 * static_cast<int>(std::ranges::count_if(gates, std::not_fn(flown)));
 }
 
-double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) const
+double Search::turn_cost(Node node, Entry entry, Vector heading) const
 {
     const std::vector<Node> leg = leg_to(node);
     if (leg.size() < 2) return 0;
@@ -191,11 +188,9 @@ double Search::turn_cost(Node node, Entry entry, std::span<const Vector> done) c
     const std::size_t some = std::min<std::size_t>(4, leg.size() - 1);
     const auto& way = gate(entry).ways[static_cast<std::size_t>(entry.number) % 2];
     const Vector into = way.front() - way.back();
-    double sum = angle_between(centre(leg.size() - 1) - centre(leg.size() - 1 - some), into);
-    if (done.size() > 4) {
-        sum += angle_between(done.back() - done[done.size() - 4], centre(some) - centre(0));
-    }
-    return whole_turn / std::numbers::pi * sum;
+    return whole_turn / std::numbers::pi *
+           (angle_between(centre(leg.size() - 1) - centre(leg.size() - 1 - some), into) +
+            angle_between(heading, centre(some) - centre(0)));
 }
 
 std::vector<Node> Search::leg_to(Node node) const

@@ -2,6 +2,7 @@
 // The search for a tour's next gate, across the roadmaps of successive shapes.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <queue>
 #include <span>
@@ -17,6 +18,8 @@ namespace mandelmarch {
 struct Node {
     int stretch = 0;
     int ball = -1;  // index of the ball; -1: none
+
+    auto operator<=>(const Node&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads <=>
 };
 // One side of a gate, from which a tour can enter the gate.
 struct Entry {
@@ -41,9 +44,9 @@ public:
 
     // Chooses the next gate among the closest ones, which are found by Dijkstra's search from the ball `from`. Returns
     // an empty entry if no gate is in reach. `clock`: the shape time when the tour reaches the ball, that is, the frame
-    // of the schedule that gives the fractal its shape. `done`: the points of the tour so far. The cost of a gate
-    // includes the turn from the direction of these points to the way to the gate.
-    Entry next(Node from, double clock, std::span<const Vector> done, FlightRandom& random);
+    // of the schedule that gives the fractal its shape. `heading`: the direction of the tour so far; zero if it is
+    // unknown. The cost of a gate includes the turn from this direction to the way to the gate.
+    Entry next(Node from, double clock, Vector heading, FlightRandom& random);
 
     // Searches the cheapest way from one ball of stretch 0 to another. Returns true if there is one. Only for a shape
     // that does not change.
@@ -58,9 +61,9 @@ public:
     double cost(Node node) const { return states_[index(node)].cost; }
     double clock(Node node) const { return states_[index(node)].clock; }
 
-    // Returns the cost, in clearances, of the turns at both ends of the leg to a gate: from the tour so far (`done`)
+    // Returns the cost, in clearances, of the turns at both ends of the leg to a gate: from the direction `heading`
     // into the leg, and from the leg into the gate.
-    double turn_cost(Node node, Entry entry, std::span<const Vector> done) const;
+    double turn_cost(Node node, Entry entry, Vector heading) const;
 
     // Returns true if the straight way between two places is free and wide enough for a tour in this stretch.
     bool is_free(int stretch, Vector from, Vector to) const;
@@ -78,7 +81,7 @@ public:
     void forget();
 
 private:
-    using Label = std::pair<double, std::pair<int, int>>;
+    using Label = std::pair<double, Node>;  // cost, and the ball that it leads to
     using Queue = std::priority_queue<Label, std::vector<Label>, std::greater<>>;
 
     // Sets the labels of a ball and queues it, unless this search has found a way of at most the same cost.

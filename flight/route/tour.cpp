@@ -53,7 +53,7 @@ public:
             } else {
                 to = pass(entry);
             }
-            if (moved_on(to) && (!fine_ || fine_(part_from(before.way.points.size())))) {
+            if (moved_on(to) && (!fine_ || fine_(part_from(before.way.size())))) {
                 at = to;
             } else {
                 // The part is discarded, because the next roadmap has no ball near the end of the part or because walls
@@ -73,11 +73,11 @@ private:
 
     Entry next(Node at)
     {
-        const Entry entry = search_.next(at, tour_.clock, tour_.way.points, random_);
+        const Entry entry = search_.next(at, tour_.clock, heading(), random_);
         if (entry.number >= 0) return entry;
         // If all gates in reach are of kinds that are marked as flown, they are allowed again.
         search_.forget();
-        return search_.next(at, tour_.clock, tour_.way.points, random_);
+        return search_.next(at, tour_.clock, heading(), random_);
     }
 
     // Leads the tour to a place, and first through the visit's gates. Returns the visit's ball.
@@ -103,10 +103,9 @@ private:
         }
         const Vector begin = visit.place - visit.before * visit.along;
         // The way need not lead through the ball's centre.
-        const auto& points = tour_.way.points;
-        if (points.size() > 1 && tour_.way.pinned.back() == Pin::none &&
-            search_.is_free(0, points[points.size() - 2], begin)) {
-            drop();
+        Polyline& way = tour_.way;
+        if (way.size() > 1 && way.back().pin == Pin::none && search_.is_free(0, way[way.size() - 2].at, begin)) {
+            way.pop_back();
         }
         add(begin, Pin::beside, 0);
         add(visit.place, Pin::place, 0);
@@ -176,8 +175,8 @@ private:
             search_.see(at);
             tour_.clock = search_.clock(at);
             // From a place, the way need not lead through the centre of the place's ball.
-            const bool leaves = leg.size() > 1 && at.ball == leg[0].ball && tour_.way.pinned.back() == Pin::beside;
-            if (leaves && search_.is_free(0, tour_.way.points.back(), search_.ball(leg[1]).centre)) continue;
+            const bool leaves = leg.size() > 1 && at.ball == leg[0].ball && tour_.way.back().pin == Pin::beside;
+            if (leaves && search_.is_free(0, tour_.way.back().at, search_.ball(leg[1]).centre)) continue;
             add(search_.ball(at).centre, Pin::none, at.stretch);
         }
         tour_.cost += search_.cost(node);
@@ -191,7 +190,7 @@ private:
         const Gate& through = search_.gate(entry);
         const std::size_t side = static_cast<std::size_t>(entry.number) % 2;
         const Node to = ball_before(entry);
-        tour_.cost += search_.turn_cost(to, entry, tour_.way.points);
+        tour_.cost += search_.turn_cost(to, entry, heading());
         fly_to(to);
         const auto& in = through.ways[side];
         const auto& out = through.ways[1 - side];
@@ -214,29 +213,21 @@ private:
     Polyline part_from(std::size_t point) const
     {
         const auto first = static_cast<std::ptrdiff_t>(point - std::min<std::size_t>(point, 4));
-        const auto cut = [first](const auto& all) {
-            return std::decay_t<decltype(all)>(all.begin() + first, all.end());
-        };
-        const Polyline& way = tour_.way;
-        return {cut(way.points), cut(way.pinned), cut(way.clock), cut(way.found)};
+        return {tour_.way.begin() + first, tour_.way.end()};
     }
 
-    void drop()
+    // Returns a vector in the direction of the last points; zero if there are few points.
+    Vector heading() const
     {
-        tour_.way.points.pop_back();
-        tour_.way.pinned.pop_back();
-        tour_.way.clock.pop_back();
-        tour_.way.found.pop_back();
+        const Polyline& way = tour_.way;
+        return way.size() > 4 ? way.back().at - way[way.size() - 4].at : Vector{};
     }
 
     void add(Vector p, Pin pin, int stretch)
     {
         Polyline& way = tour_.way;
-        if (!way.points.empty() && length(way.points.back() - p) < 1e-9) return;
-        way.points.push_back(p);
-        way.pinned.push_back(pin);
-        way.clock.push_back(tour_.clock);
-        way.found.push_back(search_.stretch(stretch).value);
+        if (!way.empty() && length(way.back().at - p) < 1e-9) return;
+        way.push_back({p, pin, tour_.clock, search_.stretch(stretch).value});
     }
 
     Search search_;

@@ -16,12 +16,13 @@ namespace mandelmarch {
 // place that the tour visits. `beside`: a point in front of such a place or behind it. Both are kept and do not move.
 enum class Pin : char { none, gate, beside, place };
 
-struct Polyline {
-    std::vector<Vector> points;
-    std::vector<Pin> pinned;    // for each point
-    std::vector<double> clock;  // for each point: its shape time in frames
-    std::vector<double> found;  // for each point: the shape parameter of the roadmap that contains it
+struct WayPoint {
+    Vector at;
+    Pin pin;
+    double clock;  // shape time in frames
+    double found;  // the shape parameter of the roadmap that contains the point
 };
+using Polyline = std::vector<WayPoint>;
 
 struct Tour {
     Polyline way;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -13,14 +12,11 @@
 #include "apps/explore/actions/actions.h"
 #include "backends/all.h"
 #include "apps/explore/model/path_editor.h"
-#include "apps/explore/model/export.h"
+#include "apps/explore/model/files.h"
 #include "apps/explore/model/motion.h"
 #include "apps/explore/view/resolution_control.h"
-#include "apps/explore/model/settings.h"
 #include "apps/explore/model/shown_view.h"
-#include "apps/explore/model/start_views.h"
 #include "apps/survey.h"
-#include "apps/explore/model/smooth.h"
 #include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/render/kernel_scene.h"
@@ -56,10 +52,12 @@ TEST(Places, ViewsAreAppendedToAFile)
     EXPECT_EQ(append_place(file, scene), 1U);
     std::ofstream(file, std::ios::app) << "tour";  // by hand, without an end of line
     scene.eye = {1, 2, 3};
+    scene.field_of_view = 0.5;
     EXPECT_EQ(append_place(file, scene), 2U);
     const Places places = read_places(file);
     EXPECT_EQ(places.all[1].eye, scene.eye);
     EXPECT_EQ(places.all[1].target, scene.target);
+    EXPECT_EQ(places.all[1].lens, 0.5);
     EXPECT_TRUE(places.all[1].tour);
     std::ofstream(file) << "something else\n";
     EXPECT_THROW(append_place(file, scene), InputError);
@@ -76,11 +74,7 @@ TEST(ExploreMotion, WallsStopTheFlight)
         Motion motion;
         EXPECT_GT(clearance_after_a_minute(motion, scene), 0) << fractal;
     }
-}
-
-// Negative control: without the stop at walls, a flight straight ahead enters the solid.
-TEST(ExploreMotion, AFlightThroughWallsIsInside)
-{
+    // Negative control: without the stop at walls, a flight straight ahead enters the solid.
     Scene scene = official("bulb");
     Motion motion;
     motion.collides = false;
@@ -189,13 +183,10 @@ TEST(ExploreActions, NamesAndKeysAreUnique)
     EXPECT_EQ(action_named("fly"), nullptr);
 }
 
-// A model with the openmp backend alone, whose files go to a folder of its own, and the desktop of a test.
-class ExploreModel : public testing::Test, public Desktop {
+// A model with the openmp backend alone, whose files go to a folder of its own.
+class ExploreModel : public testing::Test {
 protected:
-    void toggle_full_screen() override {}
-    bool toggle_panel_focus() override { return false; }
-
-    void perform(const char* action) { action_named(action)->perform(model, *this); }
+    void perform(const char* action) { action_named(action)->perform(model); }
 
     const TemporaryFolder folder;
     Settings settings{.setup = {"openmp", 0, Precision::f64, Mode::exact}};

@@ -19,9 +19,19 @@ constexpr int frames = 300;
 
 Schedule scale(const std::string& text) { return parse_schedule("scale", text, official_scene("box", 16, 9), frames); }
 
+Path planned_on(int threads)
+{
+    return plan({.scene = official_scene("box", 16, 9),
+                 .schedule = scale("2:2.03"),
+                 .seed = 4,
+                 .frames = frames,
+                 .threads = threads})
+        .path;
+}
+
 const Path& planned()
 {
-    static const Path path = plan(official_scene("box", 16, 9), scale("2:2.03"), 4, frames, 0).path;
+    static const Path path = planned_on(0);
     return path;
 }
 
@@ -62,7 +72,7 @@ TEST(Plan, RefusesShapesThatCannotBeFlownThrough)
     for (const double value : {0.5, -0.5, 0.9}) {
         Scene box = official_scene("box", 16, 9);
         box.shape[0] = value;
-        EXPECT_THROW(plan(box, {}, 1, frames, 0), InputError) << value;
+        EXPECT_THROW(plan({.scene = box, .frames = frames}), InputError) << value;
         EXPECT_NE(flight_objection(box).find("expected another scale"), std::string::npos);
         EXPECT_THROW(scale(std::to_string(value)), InputError);
     }
@@ -73,7 +83,7 @@ TEST(Plan, RefusesShapesThatCannotBeFlownThrough)
 TEST(Plan, EndsWhenItsProcessorTimeIsSpent)
 {
     const Scene box = official_scene("box", 16, 9);
-    const std::string refusal = refusal_of([&] { plan(box, {}, 1, frames, 0, {}, 1e-3); });
+    const std::string refusal = refusal_of([&] { plan({.scene = box, .frames = frames, .most_seconds = 1e-3}); });
     EXPECT_NE(refusal.find("processor time"), std::string::npos) << refusal;
 }
 
@@ -107,16 +117,13 @@ TEST(ChangingPlan, KeepsEveryPromiseAndItsValues)
     EXPECT_EQ(to_text(path), to_text(path_from_text(to_text(path), "a.json")));
 }
 
-TEST(ChangingPlan, IsTheSameOnAnyNumberOfThreads)
-{
-    EXPECT_EQ(to_text(planned()), to_text(plan(official_scene("box", 16, 9), scale("2:2.03"), 4, frames, 1).path));
-}
+TEST(ChangingPlan, IsTheSameOnAnyNumberOfThreads) { EXPECT_EQ(to_text(planned()), to_text(planned_on(1))); }
 
 // A path is planned for a constant shape, but then the shape changes during the flight. The audit must detect a broken
 // promise.
 TEST(ChangingAudit, APathThatIgnoresTheChangeBreaksAPromise)
 {
-    Path path = plan(official_scene("box", 16, 9), {}, 9, frames, 0).path;
+    Path path = plan({.scene = official_scene("box", 16, 9), .seed = 9, .frames = frames}).path;
     ASSERT_TRUE(audit_promises(path, 0).promises_kept());
     // With this change of the scale, the hull's size grows from 6 to 8.7.
     const Schedule schedule = scale("2:1.6");

@@ -21,14 +21,11 @@ struct Place {
     Vector eye, target, up;
 };
 
-// Frames of a flight. With the original estimate, pictures of this flight were torn. Two frames are ordinary, and four
-// are close to the poles, where the original estimate is up to forty times too large.
+// Frames of a flight. With the original estimate, pictures of this flight were torn. The first frame is ordinary, and
+// the others are close to the poles, where the original estimate is up to forty times too large.
 constexpr Place places[] = {
     {300, {0.749212, 0.017614, -0.18735}, {0.622715, 1.00784, -0.246075}, {0.973194, 0.135348, 0.18594}},
-    {2400, {0.487458, -0.613873, -0.206735}, {0.112059, 0.0470196, 0.443108}, {0.85201, -0.0299708, 0.522667}},
     {3300, {0.0984036, -0.0998721, -0.858128}, {-0.558501, 0.431969, -0.323693}, {-0.745286, -0.565327, -0.35349}},
-    {3600, {0.167981, -0.122596, -0.846307}, {-0.0891713, 0.0824185, 0.0980668}, {-0.49282, -0.868433, 0.0543342}},
-    {4500, {0.536057, -0.00673194, 0.76855}, {0.107571, 0.810719, 1.15348}, {-0.840874, -0.204863, -0.500961}},
     {5400, {0.328618, 0.412669, 0.784391}, {-0.0173689, 0.772824, 1.65075}, {0.787524, 0.613405, 0.0595037}},
 };
 
@@ -105,7 +102,7 @@ TEST(Truth, RaysEndBeforeTheSolid)
     const Backend& openmp = *registry.find("openmp");
     for (const Place& place : places) EXPECT_LE(share_behind(openmp, place, true), 0.01) << "frame " << place.frame;
     // Negative control: with the original estimate, the first of the torn frames is wrong.
-    EXPECT_GT(share_behind(openmp, places[2], false), 0.1);
+    EXPECT_GT(share_behind(openmp, places[1], false), 0.1);
 }
 
 TEST(Truth, FramesAreThoseOfShortSteps)
@@ -113,12 +110,12 @@ TEST(Truth, FramesAreThoseOfShortSteps)
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
     const RendererOptions options{.precision = Precision::f32, .mode = Mode::fast, .counts = false};
-    for (const Row& row : truth_rows(path_at(places[2], true), openmp, options, {})) {
+    for (const Row& row : truth_rows(path_at(places[1], true), openmp, options, {})) {
         EXPECT_TRUE(row.promise);
         EXPECT_TRUE(row.kept()) << row.name << ": " << row.value;
     }
     // Negative control: the audit of the frame with the original estimate fails.
-    const auto torn = truth_rows(path_at(places[2], false), openmp, options, {});
+    const auto torn = truth_rows(path_at(places[1], false), openmp, options, {});
     EXPECT_FALSE(torn.back().kept()) << torn.back().value;
 }
 
@@ -144,38 +141,31 @@ TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
     EXPECT_GT(c.differing, 0U);
 }
 
-// The picture of a crop window equals that part of the whole picture. If rays go through the pixels' centres
-// (`centred`), they are every second ray, in both directions, of a picture of twice the size.
-TEST(Film, PartsAndMiddlesAreThoseOfAWholePicture)
+// If rays go through the pixels' centres (`centred`), they are every second ray, in both directions, of a picture of
+// twice the size.
+TEST(Film, RaysThroughTheCentresAreThoseOfALargerPicture)
 {
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
-    Scene scene = official_scene("bulb", 60, 40);
-    const Image whole = render(openmp, scene, {});
-    const auto off = [&](const Image& image, int left, int bottom, int apart) {
+    const Image whole = render(openmp, official_scene("bulb", 60, 40), {});
+    Scene scene = official_scene("bulb", 30, 20);
+    scene.centred = true;
+    const Image middles = render(openmp, scene, {});
+    const auto off = [&](int shift) {
         int differing = 0;
-        for (int j = 0; j < image.height(); ++j) {
-            for (int i = 0; i < image.width(); ++i) {
-                const auto at = static_cast<std::size_t>((bottom + apart * j) * whole.width() + left + apart * i);
-                const auto here = static_cast<std::size_t>(j * image.width() + i);
-                for (std::size_t c = 0; c < 3; ++c) {
-                    differing += std::abs(whole.bytes()[3 * at + c] - image.bytes()[3 * here + c]) > 2;
-                }
+        for (int pixel = 0; pixel < 30 * 20; ++pixel) {
+            const int at = (shift + 2 * (pixel / 30)) * 60 + shift + 2 * (pixel % 30);
+            for (int c = 0; c < 3; ++c) {
+                const auto byte = [c](const Image& image, int i) {
+                    return image.bytes()[static_cast<std::size_t>(3 * i + c)];
+                };
+                differing += std::abs(byte(whole, at) - byte(middles, pixel)) > 2;
             }
         }
         return differing;
     };
-    scene.crop_window = {.left = 21, .bottom = 9, .whole_width = 60, .whole_height = 40};
-    scene.width = 30;
-    scene.height = 20;
-    const Image crop_window = render(openmp, scene, {});
-    EXPECT_LE(off(crop_window, 21, 9, 1), 3);
-    EXPECT_GT(off(crop_window, 20, 9, 1), 100);
-    scene.crop_window = {};
-    scene.centred = true;
-    const Image middles = render(openmp, scene, {});
-    EXPECT_LE(off(middles, 1, 1, 2), 3);
-    EXPECT_GT(off(middles, 0, 0, 2), 100);
+    EXPECT_LE(off(1), 3);
+    EXPECT_GT(off(0), 100);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "flight/audit/views.h"
 #include "flight/ride/director.h"
@@ -101,32 +100,6 @@ TEST(Director, ShowsMoreThanLookingAhead)
     const Director director(way.shapes, way.track);
     const double directed = way.mean_hit_share(smoothed_gaze(way.flown, director.gaze(way.flown, frames)));
     EXPECT_GT(directed, way.mean_hit_share(straight) + 0.15);
-}
-
-TEST(Director, TurnsSlowlyAndStaysNearTheMotion)
-{
-    const Passing way;
-    const auto gaze = smoothed_gaze(way.flown, Director(way.shapes, way.track).gaze(way.flown, frames));
-    for (std::size_t i = 1; i < gaze.size(); ++i) {
-        EXPECT_LT(degrees_between(gaze[i - 1], gaze[i]), 1.2);
-        // The first frames are not checked: the gaze begins at the fractal's middle and turns away from it.
-        if (i > 150) {
-            EXPECT_LT(degrees_between(gaze[i], ahead(way.flown, i, 1)), 70);
-        }
-    }
-}
-
-// The gaze leaves an avoided direction near its frame, and stays the same long before and after it.
-TEST(Director, AvoidsADirectionNearItsFrame)
-{
-    const Passing way;
-    const Director director(way.shapes, way.track);
-    const auto usual = director.gaze(way.flown, frames);
-    const std::vector<Avoided> avoided{{150, usual[150]}};
-    const auto other = director.gaze(way.flown, frames, {}, avoided);
-    EXPECT_GT(degrees_between(usual[150], other[150]), 10);
-    EXPECT_LT(degrees_between(usual[20], other[20]), 1e-6);
-    EXPECT_LT(degrees_between(usual[290], other[290]), 1e-6);
 }
 
 TEST(Director, EstimatesHowFarThePictureMoves)

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -47,26 +46,6 @@ std::vector<std::uint64_t> bits_of(const DistanceField& field)
     for (const double value : distances) bits.push_back(std::bit_cast<std::uint64_t>(value));
     for (const double value : ends) bits.push_back(std::bit_cast<std::uint64_t>(value));
     return bits;
-}
-
-TEST(DistanceField, TheSameBitsOnAnyNumberOfThreads)
-{
-    for (const char* name : {"bulb", "box"}) {
-        const Scene scene = official_scene(name, 16, 9);
-        const DistanceField one(scene, 1);
-        const DistanceField many(scene, 5);
-        const std::vector<Vector> points = places(30'000);
-        std::vector<double> a(points.size());
-        std::vector<double> b(points.size());
-        one.distances(points, a);
-        many.distances(points, b);
-        EXPECT_EQ(a, b);
-        EXPECT_EQ(a[77], one.distance(points[77]));
-        const Vector outside{3 * one.bounds().size, 0, 0};
-        EXPECT_FALSE(one.bounds().contains(outside));
-        EXPECT_GT(one.distance(outside), 0);
-        EXPECT_LE(one.distance(outside), 3 * one.bounds().size);
-    }
 }
 
 // Each part of the outer loop waits for a moment, so that no thread runs all parts. Negative control: the outer loop

@@ -74,16 +74,6 @@ TEST(Level, NeedsNoHorizonStraightUp)
     EXPECT_NEAR(tilt_of(frame, Vector{1, 0, 0}).horizon, 1, 1e-12);
 }
 
-// A camera that is rolled by its tilt is level.
-TEST(Level, IsWhereItsTiltLeads)
-{
-    const Frame frame{{1, 2, 3}, {2, 2.5, 2}, {0.3, 1, 0.2}, 1, {}};
-    const Vector upward = unit({0.5, -1, 0.7});
-    const Tilt tilt = tilt_of(frame, upward);
-    EXPECT_GT(std::abs(tilt.angle), 0.5);
-    EXPECT_NEAR(tilt_of(rolled(frame, tilt.angle), upward).angle, 0, 1e-12);
-}
-
 Stand plain_search(const std::vector<Vector>& places, const std::vector<double>& radii)
 {
     Stand longest;

@@ -19,7 +19,7 @@ const std::string head = std::string(places_header) + "\n";
 TEST(PlacesFile, HasPlacesAndToursInOrder)
 {
     const Places places = places_from_text(
-        "# views\n" + head + "1,2,3,0,0,0,,\n\n1, 2, 4 ,0,0,0,20,0\ntour\n1,2,5,0,0,0.5,60.5,3\ntour,,,,,,,\n",
+        "# views\n" + head + "1,2,3,0,0,0,,\n\n1, 2, 4 ,0,0,0,20,0\ntour\n1,2,5,0,0,0.5,60.5,3\ntour,,,,,,,,,\n",
         "a.csv");
     ASSERT_EQ(places.all.size(), 3U);
     const auto& [first, second, third] = std::tie(places.all[0], places.all[1], places.all[2]);
@@ -68,13 +68,16 @@ TEST(PlacesFile, ColumnsAreFoundByTheirNames)
     }
 }
 
-TEST(PlacesFile, LineOfAViewIsAPlace)
+TEST(PlacesFile, LineOfAPlaceIsReadAsThatPlace)
 {
-    const Vector eye{0.123456789, -2, 3e-7};
-    const Place place = places_from_text(head + place_line(eye, {0, 0, 1}) + "\n", "a.csv").all.front();
-    EXPECT_EQ(place.eye, eye);
-    EXPECT_EQ(place.target, (Vector{0, 0, 1}));
-    EXPECT_FALSE(place.second.has_value());
+    Place view;
+    view.eye = {0.123456789, -2, 3e-7};
+    view.target = {0, 0, 1};
+    view.lens = 0.5;
+    view.roll = -20;
+    const Place place = places_from_text(head + place_line(view) + "\n", "a.csv").all.front();
+    EXPECT_EQ(std::tie(place.eye, place.target, place.second, place.lens, place.roll),
+              std::tie(view.eye, view.target, view.second, view.lens, view.roll));
 }
 
 struct Bad {
@@ -94,7 +97,8 @@ TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
              {"1,2,3,1,2,3", "a.csv:2: look_at is the location"},
              {"1,2,3,0,0,0,-1", "a.csv:2: second is '-1'"},
              {"1,2,3,0,0,0,5,99", "a.csv:2: stay is '99', expected a number from 0 to 4"},
-             {"1,2,3,0,0,0,5,1,7", "a.csv:2: 9 fields given, expected 8 or the word tour"},
+             {"1,2,3,0,0,0,5,1,1,0,7", "a.csv:2: 11 fields given, expected 10 or the word tour"},
+             {"1,2,3,0,0,0,5,1,9", "a.csv:2: field_of_view is '9', expected a number from 0.1 to 2"},
              {"1,2,3,0,0,0,20\n\n1,2,3,0,0,0,21", "a.csv:4: second is 21, expected more than 22"},
              {"1,2,3,0,0,0,20\n1,2,3,0,0,0\n1,2,3,0,0,0,23", "a.csv:4: second is 23, expected more than 24"},
              {"tour\ntour\n1,2,3,0,0,0", "a.csv:3: this is the second tour on end"},

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <numbers>
 #include <regex>
 
 #include "flight/audit/audit.h"
@@ -29,15 +29,17 @@ Places places(const std::string& lines)
     return places_from_text(std::string(places_header) + "\n" + lines, "places.csv");
 }
 
+Scene box() { return official_scene("box", 16, 9); }
+
 const Places& given()
 {
-    static const Places all = places(ravine + "0,3\n" + terraces + "24,2\ntour\n" + temple + "50,2\n");
+    static const Places all = places(ravine + "0,3,0.6,20\n" + terraces + "24,2\ntour\n" + temple + "50,2\n");
     return all;
 }
 
 const Path& visiting()
 {
-    static const Path path = plan(official_scene("box", 16, 9), {}, 3, frames, 0, {}, 0, given()).path;
+    static const Path path = plan({.scene = box(), .seed = 3, .frames = frames, .places = given()}).path;
     return path;
 }
 
@@ -66,6 +68,14 @@ int missed(const Path& path)
 TEST(Visits, PlacesAreReachedInTimeAndSeenDuringTheStay)
 {
     EXPECT_EQ(missed(visiting()), 0);
+    // The camera begins with the lens and the roll of the first place. It is level with the usual lens in the tour.
+    EXPECT_NEAR(visiting().frames[45].field_of_view, 0.6, 1e-9);
+    EXPECT_EQ(visiting().frames[1200].field_of_view, 1);
+    const auto roll = [](std::size_t frame) {
+        return tilt_of(visiting().frames[frame], *box().fractal).angle * 180 / std::numbers::pi;
+    };
+    EXPECT_NEAR(roll(45), 20, 3);
+    EXPECT_NEAR(roll(1200), 0, 10);
     // The flight ends at the end of the last stay.
     EXPECT_NEAR(static_cast<double>(visiting().frames.size()), 52 * frames_per_second, 2);
     // Negative controls: a flight that begins a second later, and one that looks elsewhere.
@@ -80,7 +90,8 @@ TEST(Visits, PlacesAreReachedInTimeAndSeenDuringTheStay)
 TEST(Visits, FlightCanBeginAtAPlaceWithoutAStay)
 {
     const Path path =
-        plan(official_scene("box", 16, 9), {}, 3, frames, 0, {}, 0, places(ravine + "0,0\n" + terraces + ",2\n")).path;
+        plan({.scene = box(), .seed = 3, .frames = frames, .places = places(ravine + "0,0\n" + terraces + ",2\n")})
+            .path;
     const DistanceField field(path.scene, 1);
     const Place first = places(ravine + "0,0\n").all.front();
     EXPECT_LT(length(path.frames.front().eye - first.eye), field.distance(first.eye));
@@ -95,8 +106,7 @@ TEST(Visits, FlightKeepsEveryPromise)
 // Returns the message with which a search for the places of these lines ends; "" if all can be visited.
 std::string refusal(const std::string& lines)
 {
-    static const Scene box = official_scene("box", 16, 9);
-    static const Shapes shapes(box, 0, 0);
+    static const Shapes shapes(box(), 0, 0);
     static const RoadmapSet roads(shapes, {});
     return refusal_of(
         [&] { visits_of(places(lines), roads.stretches(1).front(), 0.0034 * shapes.field().bounds().size, 9000); });
@@ -124,9 +134,8 @@ TEST(Visits, ViewOfTheSkyIsNamedWithTheNearestViewOfTheFractal)
 
 TEST(Visits, PlaceThatComesTooSoonOrTooLateIsNamedWithTheTimeOfTheArrival)
 {
-    const Scene box = official_scene("box", 16, 9);
     const auto message = [&](const std::string& lines, int most) {
-        return refusal_of([&] { plan(box, {}, 3, most, 0, {}, 0, places(lines)); });
+        return refusal_of([&] { plan({.scene = box(), .seed = 3, .frames = most, .places = places(lines)}); });
     };
     const std::string soon = message(ravine + "0,1\n" + terraces + "2,1\n", frames);
     EXPECT_TRUE(soon.starts_with("places.csv:3: second is 2, but the flight arrives only at ")) << soon;
@@ -134,7 +143,12 @@ TEST(Visits, PlaceThatComesTooSoonOrTooLateIsNamedWithTheTimeOfTheArrival)
     EXPECT_EQ(after_end, "places.csv:3: second is 60, but the film has 60 s, expected less or more frames");
     const std::string late = message(ravine + "0,1\n" + terraces + "300,1\n", 10'000);
     EXPECT_TRUE(late.starts_with("places.csv:3: second is 300, but the flight arrives as early as ")) << late;
-    const auto change = [&] { plan(box, parse_schedule("scale", "2:2.1", box, frames), 3, frames, 0, {}, 0, given()); };
+    const auto change = [&] {
+        plan({.scene = box(),
+              .schedule = parse_schedule("scale", "2:2.1", box(), frames),
+              .frames = frames,
+              .places = given()});
+    };
     EXPECT_EQ(refusal_of(change), "places.csv: the shape changes in flight, expected a constant shape");
 }
 

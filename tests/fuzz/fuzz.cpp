@@ -103,9 +103,9 @@ void places(std::string_view text)
     checked("x:", [&] {
         for (const Place& place : places_from_text(std::string(text), "x").all) {
             demand(place.stay >= 0 && place.stay <= most_stay && std::isfinite(place.second.value_or(0)));
-            const std::string line = place_line(place.eye, place.target);
+            const std::string line = place_line(place);
             const Places again = places_from_text(std::string(places_header) + "\n" + line + "\n", "y");
-            demand(again.all.size() == 1 && place_line(again.all[0].eye, again.all[0].target) == line);
+            demand(again.all.size() == 1 && place_line(again.all[0]) == line);
         }
     });
 }

@@ -14,12 +14,10 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("apps", "backends", "bench", "core", "flight", "report")
 REPORT = ROOT / "report" / "out"  # output of `make report`
 ALLOWED = {
-    "apps/mandelbox.cpp": "the program of that name",
-    "apps/mandelbulb.cpp": "the program of that name",
     "backends/reference/reference.cpp": "which estimators it has",
     "bench/result/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
     "bench/measure/views.cpp": "scenes of the studies, with defaults for other fractals",
-    "flight/path/measures.cpp": "measures of flights, with defaults for other fractals",
+    "flight/path/measures.h": "measures of flights, with defaults for other fractals",
     "report/mandelreport/answers.py": "the two fractals that the front page compares",
     "report/mandelreport/pictures.py": "the two scenes that the report shows",
     "report/mandelreport/sections/why.py": "the two fractals of that question",

@@ -9,15 +9,6 @@
 
 namespace mandelmarch::explore {
 
-// The parts of the window that actions need.
-class Desktop {
-public:
-    virtual ~Desktop() = default;
-    virtual void toggle_full_screen() = 0;
-    // Moves the keyboard focus from the pictures to the panel or back. Returns true if the panel then has it.
-    virtual bool toggle_panel_focus() = 0;
-};
-
 struct Action {
     // The condition under which the key performs the action. anywhere: always. over_pictures: only while no panel has
     // the keyboard, because in a panel the key types a character or controls an item. repeated: like over_pictures, and
@@ -27,11 +18,11 @@ struct Action {
     std::string_view name;  // in scripts; buttons show blanks in place of hyphens
     std::string_view key;   // SDL's name of the key, such as "Ctrl+S"; empty: no key
     const char* help;
-    void (*act)(Model& model, Desktop& desktop);
+    void (*act)(Model& model);
     Heeded heeded = Heeded::anywhere;
 
     // Performs the action. Errors are shown as messages.
-    void perform(Model& model, Desktop& desktop) const;
+    void perform(Model& model) const;
 };
 
 std::span<const Action> actions();

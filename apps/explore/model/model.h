@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/explore/model/export.h"
+#include "apps/explore/model/files.h"
 #include "apps/explore/model/motion.h"
 #include "apps/explore/model/path_editor.h"
-#include "apps/explore/model/settings.h"
 #include "apps/explore/model/shown_view.h"
-#include "apps/explore/model/start_views.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::explore {
@@ -34,6 +32,8 @@ public:
     bool help = false;
     bool paths = false;  // the paths panel is shown
     bool quit = false;
+    // Requests to the window, which resets them: full screen on or off; the keyboard to the panel or back.
+    bool changes_full_screen = false, changes_focus = false;
 
     // Shows a message to the user until the next message.
     void say(const std::string& text) { said_ = text; }

@@ -2,14 +2,49 @@
 // The path editor: records, opens, plans, plays and smooths a path, and renders it as a film.
 #pragma once
 
+#include <chrono>
+#include <functional>
+#include <future>
+#include <optional>
 #include <string>
+#include <thread>
 
-#include "apps/explore/model/setup.h"
-#include "apps/explore/model/task.h"
+#include "apps/explore/model/files.h"
 #include "core/render/registry.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch::explore {
+
+// A task in the background. It runs in a detached thread, which may be abandoned. The caller polls for the result.
+template <class Result>
+class Task {
+public:
+    // Starts `work` in a thread. `work` must own everything that it uses. Must not be called while a task is running.
+    void start(std::function<Result()> work)
+    {
+        std::packaged_task<Result()> task(std::move(work));
+        result_ = task.get_future();
+        std::thread(std::move(task)).detach();
+    }
+
+    bool running() const { return result_.valid(); }
+
+    // Returns the result at the first call after the task has ended. Returns nullopt if the task is still running or if
+    // there is no task. If the task has failed, returns nullopt and sets `failure` to the error's message.
+    std::optional<Result> take(std::string& failure)
+    {
+        if (!running() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+        try {
+            return result_.get();
+        } catch (const std::exception& error) {
+            failure = error.what();
+            return std::nullopt;
+        }
+    }
+
+private:
+    std::future<Result> result_;
+};
 
 class PathEditor {
 public:
@@ -56,5 +91,13 @@ private:
     Task<Path> planning_;
     Task<std::string> filming_;
 };
+
+// Returns a frame whose camera lies between the cameras of `a` (share 0) and `b` (share 1). Its changes to the scene
+// are those of the closer frame.
+Frame between(const Frame& a, const Frame& b, double share);
+
+// Returns a smoothed path. If smoothing would bring a camera too close to walls, the camera is moved less. Where a step
+// or a turn would come close to the audit's limit, frames are added, which makes the flight slower.
+Path smoothed(const Path& path);
 
 }  // namespace mandelmarch::explore

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "apps/explore/model/setup.h"
+#include "apps/explore/model/files.h"
 
 namespace mandelmarch::explore {
 

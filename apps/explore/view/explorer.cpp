@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/explore/view/explorer.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <numbers>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 #include "apps/explore/view/panels.h"
 #include "core/os/stopwatch.h"
@@ -63,7 +63,7 @@ bool Explorer::take_key(const SDL_Event& event)
     if (key.empty() || found == actions().end()) return false;
     const ImGuiIO& io = ImGui::GetIO();
     if (found->heeded != Action::Heeded::anywhere && (io.WantCaptureKeyboard || io.WantTextInput)) return false;
-    if (event.key.repeat == 0 || found->heeded == Action::Heeded::repeated) found->perform(model_, window_);
+    if (event.key.repeat == 0 || found->heeded == Action::Heeded::repeated) found->perform(model_);
     return true;
 }
 
@@ -89,6 +89,15 @@ void Explorer::take_events()
             }
         }
         input_.take(event, io.WantCaptureMouse, io.WantCaptureKeyboard || io.WantTextInput, radians);
+    }
+    if (std::exchange(model_.changes_full_screen, false)) window_.toggle_full_screen();
+    if (!std::exchange(model_.changes_focus, false)) return;
+    focus_ = !io.NavActive || !io.WantCaptureKeyboard;
+    if (focus_) {
+        model_.settings.panel = true;
+        input_.let_go();
+    } else {
+        ImGui::SetWindowFocus(nullptr);
     }
 }
 
@@ -194,11 +203,9 @@ void Explorer::wait_if_idle()
 
 void Explorer::show_panels()
 {
-    const bool focus = window_.take_panel_focus();
-    if (focus) input_.let_go();
     show_overlay(model_, panes_, area_, clearance_);
-    if (model_.settings.panel) show_panel(model_, window_, panel_width_, focus);
-    if (model_.paths) show_paths(model_, window_, panel_width_);
+    if (model_.settings.panel) show_panel(model_, panel_width_, std::exchange(focus_, false));
+    if (model_.paths) show_paths(model_, panel_width_);
     if (model_.help) show_help(model_);
     // At the start no panel has the keyboard, so that keys move the camera.
     if (frame_ <= 2) ImGui::SetWindowFocus(nullptr);

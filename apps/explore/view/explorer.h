@@ -42,6 +42,7 @@ private:
     Input input_;
     bool moving_ = false;
     bool flew_ = false;
+    bool focus_ = false;  // the keyboard moves to the panel
     std::uint64_t frame_ = 0;
     float panel_width_ = 0;      // pixels
     SDL_Rect area_{0, 0, 1, 1};  // part of the window for pictures

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
+#include <limits>
+#include <string>
 
 #include "apps/explore/view/panels.h"
 #include "apps/scene_json.h"
+#include "core/image/image.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 
@@ -179,17 +184,31 @@ void setup_items(Model& model)
     two_choices(model, "fast", "exact", now.mode == Mode::fast, with_other_mode(now));
 }
 
-}  // namespace
+// Shows a field for an integer, with buttons that change it.
+void number_field(const char* name, int& value, int low, int high)
+{
+    ImGui::SetNextItemWidth(7 * ImGui::GetFontSize());
+    ImGui::InputInt(name, &value);
+    value = std::clamp(value, low, high);
+}
 
-void show_buttons(Model& model, Desktop& desktop, std::initializer_list<Button> row)
+// A button that performs an action. Without a label, it shows the action's name.
+struct Button {
+    std::string action;
+    std::string label{};
+};
+
+void show_buttons(Model& model, std::initializer_list<Button> row)
 {
     for (const Button& button : row) {
         if (&button != row.begin()) ImGui::SameLine();
         std::string label = button.label.empty() ? button.action : button.label;
         std::ranges::replace(label, '-', ' ');
-        if (ImGui::Button(label.c_str())) action_named(button.action)->perform(model, desktop);
+        if (ImGui::Button(label.c_str())) action_named(button.action)->perform(model);
     }
 }
+
+}  // namespace
 
 float panel_width(int window_width)
 {
@@ -198,7 +217,7 @@ float panel_width(int window_width)
     return std::round(std::min(width_in_letters * letter * 0.6F, most_of_window * static_cast<float>(window_width)));
 }
 
-void show_panel(Model& model, Desktop& desktop, float width, bool focus)
+void show_panel(Model& model, float width, bool focus)
 {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y});
@@ -211,9 +230,9 @@ void show_panel(Model& model, Desktop& desktop, float width, bool focus)
     if (ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen)) {
         scene_items(model);
         flight_items(model.motion);
-        show_buttons(model, desktop, {{"reset-view"}, {"undo"}, {"redo"}});
+        show_buttons(model, {{"reset-view"}, {"undo"}, {"redo"}});
     }
-    show_buttons(model, desktop, {{"save-view"}, {"save-place"}});
+    show_buttons(model, {{"save-view"}, {"save-place"}});
     ImGui::Checkbox("paths", &model.paths);
     ImGui::SameLine();
     ImGui::Checkbox("statistics", &model.settings.statistics);
@@ -223,6 +242,46 @@ void show_panel(Model& model, Desktop& desktop, float width, bool focus)
         ImGui::GetIO().FontGlobalScale = scale;
     }
     ImGui::PopItemWidth();
+    ImGui::End();
+}
+
+void show_paths(Model& model, float left)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float wanted = 26 * ImGui::GetFontSize();
+    left = std::max({0.0F, left, size.x - wanted});
+    const float width = size.x - left;
+    // This panel covers the other one if there is not enough room next to it.
+    const bool beside = width > 12 * ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({beside ? left : 0, 0.0F});
+    const float used = beside ? width : size.x;
+    ImGui::SetNextWindowSize({used, 0});  // as high as its items
+    ImGui::SetNextWindowSizeConstraints({used, 0}, {used, size.y * 0.7F});
+    ImGui::Begin("paths", &model.paths,
+                 ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    PathEditor& path_editor = model.path_editor;
+    show_buttons(model, {{"record", path_editor.recording() ? "end recording" : "record"}});
+    ImGui::SameLine();
+    ImGui::Text("%zu frames, %.1f s", path_editor.frames(),
+                static_cast<double>(path_editor.frames()) / path_editor.path().frames_per_second);
+    if (path_editor.has_path() && !path_editor.recording()) {
+        float at = static_cast<float>(path_editor.at());
+        ImGui::SetNextItemWidth(-1);
+        if (ImGui::SliderFloat("##at", &at, 0, static_cast<float>(path_editor.frames() - 1), "frame %.0f")) {
+            path_editor.go_to(static_cast<double>(at));
+            model.show_path();
+        }
+        show_buttons(model, {{"play-or-stop", path_editor.playing ? "stop" : "play"}, {"smooth"}});
+        number_field("width", model.film_width, 16, max_side);
+        ImGui::SameLine();
+        number_field("height", model.film_height, 16, max_side);
+        show_buttons(model, {{"save-path"}, {"film"}});
+    }
+    number_field("seed", model.tour_seed, 0, std::numeric_limits<int>::max());
+    ImGui::SameLine();
+    number_field("frames", model.tour_frames, 60, 100'000);
+    if (!path_editor.planning()) show_buttons(model, {{"plan-a-tour"}});
     ImGui::End();
 }
 

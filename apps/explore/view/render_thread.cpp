@@ -11,7 +11,6 @@
 #include "core/text/error.h"
 #include "core/os/stopwatch.h"
 #include "flight/film/frames.h"
-#include "flight/film/shrink.h"
 
 namespace mandelmarch::explore {
 

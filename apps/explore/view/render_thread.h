@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/explore/model/setup.h"
+#include "apps/explore/model/files.h"
 #include "core/render/registry.h"
 
 namespace mandelmarch::explore {

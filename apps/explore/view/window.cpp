@@ -12,7 +12,6 @@
 #include <imgui.h>
 
 #include <cstddef>
-#include <memory>
 #include <string_view>
 
 #include "core/text/environment.h"
@@ -204,13 +203,6 @@ void Window::toggle_full_screen()
 {
     const bool is = (SDL_GetWindowFlags(window_) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
     SDL_SetWindowFullscreen(window_, is ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
-}
-
-bool Window::toggle_panel_focus()
-{
-    focus_ = !ImGui::GetIO().NavActive || !ImGui::GetIO().WantCaptureKeyboard;
-    if (!focus_) ImGui::SetWindowFocus(nullptr);
-    return focus_;
 }
 
 }  // namespace mandelmarch::explore

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "apps/explore/actions/actions.h"
 #include "apps/explore/view/render_thread.h"
 
 namespace mandelmarch::explore {
@@ -18,11 +17,11 @@ using Texture = std::unique_ptr<SDL_Texture, void (*)(SDL_Texture*)>;
 // Copies a picture to a texture. Creates the texture if it does not exist or has another size.
 void update(Texture& texture, SDL_Renderer* renderer, const Pixels& pixels);
 
-class Window : public Desktop {
+class Window {
 public:
     // Opens the window; its size is in pixels. Throws Unavailable if there is no display.
     Window(const std::string& title, int width, int height);
-    ~Window() override;
+    ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
@@ -37,16 +36,12 @@ public:
     void draw_panels();                        // ends Dear ImGui's frame, and draws the panels
     void present() const;
 
-    void toggle_full_screen() override;
-    bool toggle_panel_focus() override;
-    // Returns true at the first call after toggle_panel_focus() has moved the keyboard to the panel; otherwise false.
-    bool take_panel_focus() { return std::exchange(focus_, false); }
+    void toggle_full_screen();
 
 private:
     SDL_Window* window_ = nullptr;
     SDL_Renderer* renderer_ = nullptr;
     bool waits_ = false;
-    bool focus_ = false;
     Texture letters_{nullptr, SDL_DestroyTexture};  // Dear ImGui's font
 };
 
