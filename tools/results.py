@@ -22,6 +22,8 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "report"))
 from mandelreport.errors import InputError, read_json, reading, run_program
 
+STOPS = {signal.SIGINT, signal.SIGTERM}
+
 
 @dataclass
 class Entry:
@@ -42,14 +44,24 @@ def entry_of(line):
 
 
 def entries_of(path):
-    with reading(path, "lines with a file, minutes, runs and a command"):
-        return [entry_of(line) for line in path.read_text(encoding="utf-8").splitlines() if line.strip() and line[0] != "#"]
+    entries = []
+    with reading(path, "a list of results"):
+        lines = path.read_text(encoding="utf-8").splitlines()
+    for number, line in enumerate(lines, 1):
+        if line.strip() and line[0] != "#":
+            with reading(f"{path}:{number}", "a file, minutes, runs and a command"):
+                entries.append(entry_of(line))
+    return entries
 
 
 def run(entry, command):
     """Runs a command. If this program is stopped, also stops the command and all processes that it started."""
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, env=os.environ | entry.variables, start_new_session=True) as process:
+    # Blocks signals until `process` is set, because it is needed to stop the command.
+    signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, env=os.environ | entry.variables, start_new_session=True,
+                          preexec_fn=lambda: signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)) as process:
         try:
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)
             code = process.wait()
         except KeyboardInterrupt:
             os.killpg(process.pid, signal.SIGTERM)

@@ -166,6 +166,11 @@ class Bench:
     def environment(self) -> dict[str, Any]:
         return self.data["environment"]
 
+    @property
+    def revision(self) -> str:
+        git = self.environment["git"]
+        return git["revision"][:7] + (" and changes" if git["dirty"] and git["revision"] != "unknown" else "")
+
     @functools.cached_property
     def in_cpp(self) -> list[str]:
         """Returns the backends whose kernels a C++ compiler of the host compiled."""
@@ -265,4 +270,5 @@ class Backends:
 
 
 def count(rows: list[Row]) -> Markup:
+    """Formats the number of rows."""
     return Number.count([f"{row.bench.name}#{row.at}" for row in rows]).html("whole")

@@ -67,7 +67,7 @@ class ReportTest(unittest.TestCase):
             ["front", *(name for name, *_ in [*MAIN, *APPENDIX])],
         )
         # The page has values from the files: 1.17 degrees, 0.25 s per frame, the revision, the titles of backends.
-        for text in ("1.17 deg", "0.25", made.bench()["environment"]["git"]["revision"][:12]):
+        for text in ("1.17 deg", "0.25", made.bench()["environment"]["git"]["revision"][:7]):
             self.assertIn(f">{text}", page)
         self.assertIn("through OpenMP and Vulkan,", page)
         self.assertIn(">0.12 – 0.99<", page)  # range over two sets of random scenes

@@ -61,6 +61,11 @@ class ResultsTest(ToolTest):
             said = process.communicate()[1]
         return process.returncode, said
 
+    def test_the_list_of_the_project_is_read(self):
+        done = self.run_tool("results.py", "none.json")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+        self.assertIn("results: none.json: not in", done.stderr)
+
     def test_an_exit_code_can_be_an_answer(self):
         self.write("fails", "json")
         self.write("list", "a.json 1 1 EXITS=0,1 bench --json {}\n")

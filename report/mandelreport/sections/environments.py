@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Method of the measurements, and environments of all of them: a line for each result of the standard study, for each machine and build, for each
-set of compiler, flags and driver, and for each other file."""
+"""Method of the measurements, and their environments: a line for each result of the standard study, for each machine and
+build, for each set of compiler, flags and driver, and for each other file."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -18,7 +18,6 @@ def instructions(bench: Bench, host: str) -> str:
 def method(material: Material) -> dict[str, Any]:
     rows = []
     for bench in material.results.study("standard"):
-        git = bench.environment["git"]
         rows.append(
             [
                 material.letter(bench.name),
@@ -27,7 +26,7 @@ def method(material: Material) -> dict[str, Any]:
                 bench.size.replace(" x ", "\N{NO-BREAK SPACE}x\N{NO-BREAK SPACE}"),
                 str(bench.data["runs"]),
                 instructions(bench, material.backends.host).replace("-", "\N{NON-BREAKING HYPHEN}"),
-                git["revision"][:7] + (" and changes" if git["dirty"] and git["revision"] != "unknown" else ""),
+                bench.revision,
             ]
         )
     table = Table(
@@ -52,11 +51,11 @@ def _gpu(gpu: dict[str, Any]) -> str:
 
 def _measurement(bench: Bench) -> list[str]:
     e = bench.environment
-    git, during = e["git"], e["during"]
+    during = e["during"]
     return [
         bench.name,
         e["date"][:16].replace("T", " "),
-        git["revision"][:12] + (", with uncommitted changes" if git["dirty"] and git["revision"] != "unknown" else ""),
+        bench.revision,
         f"{bench.data['runs']}, {bench.data['seed']}",
         f"{during['load_at_start']:.1f} to {during['load_at_end']:.1f}",
         f"{100 * during['others_share']:.1f} %",
@@ -133,7 +132,7 @@ def discussion(material: Material) -> dict[str, Any]:
 
 def environments(material: Material) -> dict[str, Any]:
     others = [
-        [b.name, b.study, b.machine, str(b.data["runs"]), b.environment["git"]["revision"][:12], b.environment["date"][:10]]
+        [b.name, b.study, b.machine, str(b.data["runs"]), b.revision, b.environment["date"][:10]]
         for b in material.results.benches
         if b.study != "standard"
     ]
