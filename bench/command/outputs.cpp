@@ -29,19 +29,14 @@ void refuse_kept_result(const std::string& path, const std::string& results, boo
 void Outputs::check(const std::vector<std::string>& read) const
 {
     std::vector<NamedFile> written;
-    const Output* first = nullptr;
     for (const Output& output : outputs_) {
-        if (!output.is_stdout()) {
-            OutputFile::check(*output.path);
-            refuse_kept_result(*output.path, MANDELMARCH_RESULTS, sources_changed());
-            written.push_back({output.option, *output.path});
-            continue;
-        }
-        if (first != nullptr) {
-            throw InputError(fmt::format("{} and {}: both go to standard output, expected a file for one of them",
-                                         first->option, output.option));
-        }
-        first = &output;
+        if (output.path.empty() || output.path == "-") continue;
+        OutputFile::check(output.path);
+        refuse_kept_result(output.path, MANDELMARCH_RESULTS, sources_changed());
+        written.push_back({output.option, output.path});
+    }
+    if (outputs_[0].path == "-" && outputs_[1].path == "-") {
+        throw InputError("--json and --csv: both go to standard output, expected a file for one of them");
     }
     std::vector<NamedFile> named;
     named.reserve(read.size());
@@ -49,42 +44,32 @@ void Outputs::check(const std::vector<std::string>& read) const
     refuse_shared_files(written, named);
 }
 
-bool Outputs::write_files() const
+void Outputs::declare(CLI::App& app, const std::string& json, const char* csv)
 {
-    bool all = true;
-    for (const Output& output : outputs_) {
-        if (output.is_stdout()) continue;
+    constexpr const char* about = "write {} to this file (-: standard output)";
+    app.add_option("--json", outputs_[0].path, fmt::format(about, json + " as JSON"));
+    if (csv != nullptr) app.add_option("--csv", outputs_[1].path, fmt::format(about, csv));
+}
+
+int Outputs::deliver(const std::vector<std::string>& read, const std::function<Texts()>& work) const
+{
+    check(read);
+    const Texts texts = work();
+    bool written = true;
+    const std::string* standard = nullptr;
+    for (const auto& [option, text, path] : outputs_) {
+        if (path == "-") standard = &(texts.*text);
+        if (path.empty() || path == "-") continue;
         try {
-            write_file(*output.path, output.text());
+            write_file(path, texts.*text);
         } catch (const std::exception& error) {
-            say("bench: {}: {}\n", output.option, printable(error.what()));
-            all = false;
+            say("bench: {}: {}\n", option, printable(error.what()));
+            written = false;
         }
     }
-    return all;
-}
-
-void Outputs::option(CLI::App& app, const std::string& name, const std::string& about,
-                     std::function<std::string()> text)
-{
-    outputs_.push_back({name, std::make_shared<std::string>(), std::move(text)});
-    app.add_option(name, *outputs_.back().path, about);
-}
-
-int Outputs::deliver(const std::vector<std::string>& read, const std::function<Done()>& work)
-{
-    std::erase_if(outputs_, [](const Output& output) { return output.path->empty(); });
-    check(read);
-    const Done done = work();
-    const bool written = write_files();
-    const auto standard = std::ranges::find_if(outputs_, &Output::is_stdout);
-    if (standard == outputs_.end()) {
-        print(std::string_view(done.table));
-    } else {
-        say(std::string_view(done.table));
-        print(std::string_view(standard->text()));
-    }
-    return written && done.passed ? exit_success : exit_failure;
+    if (standard != nullptr) say(std::string_view(texts.table));
+    print(std::string_view(standard != nullptr ? *standard : texts.table));
+    return written && texts.passed ? exit_success : exit_failure;
 }
 
 }  // namespace mandelmarch::bench

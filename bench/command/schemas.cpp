@@ -2,16 +2,16 @@
 // The kinds of files that bench writes: their JSON Schemas and their derived figures, both from the descriptions of
 // their records (bench/result/fields.h).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "bench/command/commands.h"
 #include "bench/result/result_fields.h"
 #include "bench/result/result_file.h"
 #include "bench/fidelity/scene_fields.h"
-#include "core/text/console.h"
 #include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -166,34 +166,23 @@ Json schema_json(const Kind& kind)
     return schema;
 }
 
-// Returns the contents of a file with all figures that follow from its facts.
-Json derived_json(const std::string& path)
-{
-    const Json json = json_in(path);
-    const std::string schema = schema_in(json);
-    const auto* const kind = std::ranges::find_if(
-        kinds, [&](const Kind& one) { return one.format.schema != nullptr && one.format.schema == schema; });
-    if (kind == std::end(kinds)) throw InputError(path + ": not a file of bench, expected a result of --json");
-    return kind->derived(json, path);
-}
-
 }  // namespace
 
-Run schema_command(CLI::App& app, Registry& /*registry*/)
+std::string derived_json(const std::string& path)
 {
-    const auto name = std::make_shared<std::string>();
-    std::vector<std::string> names;
-    for (const Kind& kind : kinds) names.emplace_back(kind.name);
-    app.add_option("KIND", *name, "kind of file")->required()->check(CLI::IsMember(names));
-    return [name]() -> int {
-        print(std::string_view(text_of(schema_json(*std::ranges::find(kinds, std::string_view(*name), &Kind::name)))));
-        return exit_success;
-    };
+    const Json json = json_in(path);
+    const auto* const kind = std::ranges::find_if(
+        kinds, [&](const Kind& one) { return one.format.schema != nullptr && schema_in(json) == one.format.schema; });
+    if (kind == std::end(kinds)) throw InputError(path + ": not a file of bench, expected a result of --json");
+    return text_of(kind->derived(json, path));
 }
 
-Run json_command(CLI::App& app, Registry& /*registry*/)
+std::string schema_text(const std::string& name)
 {
-    return with_file(app, [](const std::string& path) { return text_of(derived_json(path)); });
+    const auto* const kind = std::ranges::find(kinds, std::string_view(name), &Kind::name);
+    if (kind != std::end(kinds)) return text_of(schema_json(*kind));
+    throw InputError(
+        fmt::format("bench schema: '{}' given, expected one of {}", name, fmt::join(mapped(kinds, &Kind::name), ", ")));
 }
 
 Json facts_of(const RandomResult& result) { return document(result, Form::facts); }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bench/statistics/statistics.h"
-
 namespace mandelmarch::bench {
 
 void LaneCount::march(std::span<const RaySteps> rays, Slots& slots) const
@@ -45,31 +43,25 @@ void LaneCount::add(std::span<const RaySteps> block)
     march(block, refilled_);
 }
 
-std::pair<ActiveLanes, ActiveLanes> LaneCount::active(std::span<const LaneCount> blocks, Slots LaneCount::*slots)
+void LaneCount::Slots::add(const Slots& other)
 {
-    std::vector<Part> steps;
-    std::vector<Part> iterations;
-    for (const LaneCount& block : blocks) {
-        const Slots& s = block.*slots;
-        steps.push_back({s.steps_done, s.steps});
-        iterations.push_back({s.iterations_done, s.iterations});
-    }
-    const PartRatio of_steps = ratio_of_sums(steps);
-    const PartRatio of_iterations = ratio_of_sums(iterations);
-    return {{of_steps.ratio.value_or(1), of_iterations.ratio.value_or(1)},
-            {of_steps.standard_error, of_iterations.standard_error}};
+    steps += other.steps;
+    steps_done += other.steps_done;
+    iterations += other.iterations;
+    iterations_done += other.iterations_done;
 }
 
-LaneUse LaneCount::use(std::span<const LaneCount> blocks, bool every_pixel)
+ActiveLanes LaneCount::Slots::active() const
 {
-    const auto [together, together_error] = active(blocks, &LaneCount::together_);
-    const auto [refilled, refilled_error] = active(blocks, &LaneCount::refilled_);
-    constexpr ActiveLanes none{0, 0};
-    return {.lanes = blocks.empty() ? 0 : blocks.front().lanes_,
-            .together = together,
-            .refilled = refilled,
-            .together_error = every_pixel ? none : together_error,
-            .refilled_error = every_pixel ? none : refilled_error};
+    return {steps > 0 ? steps_done / steps : 1, iterations > 0 ? iterations_done / iterations : 1};
 }
+
+void LaneCount::add(const LaneCount& other)
+{
+    together_.add(other.together_);
+    refilled_.add(other.refilled_);
+}
+
+LaneUse LaneCount::use() const { return {lanes_, together_.active(), refilled_.active()}; }
 
 }  // namespace mandelmarch::bench

@@ -4,8 +4,6 @@
 
 #include <optional>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "core/instruments/operations.h"
 
@@ -24,9 +22,6 @@ struct LaneUse {
     // With refill: as soon as a lane's ray has ended, the lane takes the next pixel of the patch (persistent threads;
     // Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). nullopt: unknown.
     std::optional<ActiveLanes> refilled;
-    // Standard errors of `together` and `refilled`, which come from a sample of patches; 0 if every pixel was counted.
-    // nullopt: unknown.
-    std::optional<ActiveLanes> together_error{}, refilled_error{};
 };
 
 // Counts the lane slots of vectors, and how many of them are active. A lane slot is one lane during one step, or one
@@ -37,18 +32,19 @@ public:
 
     // Adds the rays of a patch; consecutive rays belong to neighbouring pixels.
     void add(std::span<const RaySteps> block);
+    // Adds the slots of other patches, for vectors of the same length.
+    void add(const LaneCount& other);
 
-    // Returns the lane utilisation over several patches. `blocks`: one LaneCount for each patch, all with the same
-    // number of lanes. `every_pixel`: true if the patches cover the whole picture; standard errors are then 0.
-    static LaneUse use(std::span<const LaneCount> blocks, bool every_pixel);
+    LaneUse use() const;
 
 private:
     struct Slots {
         double steps = 0, steps_done = 0, iterations = 0, iterations_done = 0;
+
+        void add(const Slots& other);
+        ActiveLanes active() const;
     };
 
-    // Returns the fractions of active lanes over all patches, and their standard errors.
-    static std::pair<ActiveLanes, ActiveLanes> active(std::span<const LaneCount> blocks, Slots LaneCount::*slots);
     // Marches the rays in one vector and adds its lane slots to `slots`. A lane whose ray has ended takes the next
     // waiting ray.
     void march(std::span<const RaySteps> rays, Slots& slots) const;

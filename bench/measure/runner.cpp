@@ -9,6 +9,7 @@
 #include "bench/result/figures.h"
 #include "bench/measure/interruption.h"
 #include "bench/measure/moving_eye.h"
+#include "bench/measure/telemetry.h"
 #include "bench/measure/verify.h"
 #include "core/text/error.h"
 #include "core/os/stopwatch.h"
@@ -24,6 +25,35 @@ bool narrow_enough(const Row& row, double half_width)
 {
     const auto reached = summary(kernel_times(row)).half_width();
     return reached && *reached < half_width;
+}
+
+// Takes one sample: one picture of the scene, or setting.frames pictures from a fresh renderer. Throws what the backend
+// throws.
+Sample draw_sample(TimedCase& row, const Scene& scene, Image& image, Telemetry& telemetry)
+{
+    const Case& one = *row.one;
+    const int frames = one.row.setting.frames;
+    // Not the scene of this sample, whose picture a program might keep.
+    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
+    // Overwrite the image. Otherwise, if a backend did not write its pixels, the previous configuration's picture would
+    // pass for its own.
+    std::ranges::fill(image.bytes(), std::uint8_t{0x55});
+    Sample sample;
+    const std::optional<double> before = telemetry.joules();
+    if (frames == 0) {
+        sample.add(row.renderer->render(scene, image).timings);
+    } else {
+        const auto start = Clock::now();
+        const auto renderer = one.backend->create(one.options);
+        for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(scene, image).timings);
+        sample.wall = seconds_since(start);
+        for (double Sample::*part :
+             {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
+            sample.*part /= frames;
+        }
+    }
+    if (before) sample.joules = (telemetry.joules().value_or(*before) - *before) / std::max(1, frames);
+    return sample;
 }
 
 class Rounds {
@@ -81,7 +111,7 @@ private:
         try {
             const Scene& scene = eye_ == nullptr ? live.one->scene : eye_->view_of(*live.one).scene;
             Image& image = image_for(live);
-            Sample sample = draw_sample(live, scene, image);
+            Sample sample = draw_sample(live, scene, image, telemetry_);
             const std::string fault = eye_ != nullptr ? eye_->fault_of(*live.one, image)
                                       : fingerprint(image) == live.fingerprint
                                           ? ""
@@ -133,35 +163,11 @@ private:
     MovingEye* eye_;
     std::mt19937_64 random_;
     Clock::time_point start_ = Clock::now();
+    Telemetry telemetry_;
     Image image_;
 };
 
 }  // namespace
-
-Sample draw_sample(TimedCase& row, const Scene& scene, Image& image)
-{
-    const Case& one = *row.one;
-    const int frames = one.row.setting.frames;
-    // Not the scene of this sample, whose picture a program might keep.
-    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
-    // Overwrite the image. Otherwise, if a backend did not write its pixels, the previous configuration's picture would
-    // pass for its own.
-    std::ranges::fill(image.bytes(), std::uint8_t{0x55});
-    Sample sample;
-    if (frames == 0) {
-        sample.add(row.renderer->render(scene, image).timings);
-    } else {
-        const auto start = Clock::now();
-        const auto renderer = one.backend->create(one.options);
-        for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(scene, image).timings);
-        sample.wall = seconds_since(start);
-        for (double Sample::*part :
-             {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
-            sample.*part /= frames;
-        }
-    }
-    return sample;
-}
 
 Rules rules_of(const Options& options)
 {

@@ -61,8 +61,4 @@ class MovingEye;
 // verified one, its configuration fails and loses its samples. `eye`: if not null, each round has other views.
 void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase, MovingEye* eye = nullptr);
 
-// Takes one sample: one picture of the scene, or setting.frames pictures from a fresh renderer. Throws what the backend
-// throws.
-Sample draw_sample(TimedCase& row, const Scene& scene, Image& image);
-
 }  // namespace mandelmarch::bench

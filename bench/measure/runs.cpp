@@ -66,7 +66,7 @@ Result run_again(const std::vector<std::string>& arguments, int run)
     // Start this program again, under the name by which it was called.
     std::vector<std::string> words{program_invocation_name};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    words.insert(words.end(), {"--quiet", "--json", "-", "--run", std::to_string(run)});
+    words.insert(words.end(), {"--run", std::to_string(run)});
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     ChildProcess child({.words = std::move(words), .program = program, .output = file.number()});
     while (!child.ends_within(interrupted() != 0 ? ChildProcess::no_limit : 0.1)) {

@@ -43,9 +43,7 @@ void count_all(std::vector<TimedCase>& rows, Result& result, const Phase& phase)
                             row.fractal, row.precision, row.mode, row.setting};
             found = result.counts.insert(result.counts.end(), std::move(counted));
         }
-        const auto iterations = static_cast<double>(row.work.iterations);
-        row.operations = found->per_iteration() * iterations;
-        if (found->errors) row.operations_error = found->errors->per_iteration * iterations;
+        row.operations = found->per_iteration() * static_cast<double>(row.work.iterations);
     }
 }
 
@@ -79,13 +77,12 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     record.add(peaks(every_peak));
     const double spent = seconds_since(start);
     rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
-    const Telemetry telemetry;
     const bool replays = std::ranges::any_of(live, [](const TimedCase& c) { return c.one->backend->info().replays; });
     MovingEye eye(registry);
     result.moved_eye = options.move_eye || replays;
     const Interruption interruption;
     run_rounds(live, rules, phase, result.moved_eye ? &eye : nullptr);
-    const nlohmann::ordered_json told = telemetry.since_start();
+    const nlohmann::ordered_json gpus = Telemetry().gpus();
     // Measure the peaks again. If the machine was slower before the rounds, the first peaks are too low, and the shares
     // of peak would be too high.
     if (interrupted() == 0) {
@@ -102,7 +99,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     if (interrupted() != 0) result.warnings.emplace_back("incomplete: the rounds were interrupted");
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
     result.environment["during"] = steadiness.during();
-    result.environment["telemetry"] = told;
+    result.environment["telemetry"]["gpus"] = gpus;
     return derived(std::move(result));
 }
 

@@ -138,6 +138,9 @@ Json record_to_json(const Record& record, Form form)
     each_field<Record>([&]<class Member, bool stored>(const Field<Member, stored>& field) {
         if (!stored && form == Form::facts) return;
         const auto& value = std::invoke(field.member, record);
+        if constexpr (Optional<std::remove_cvref_t<decltype(value)>>) {
+            if (!value && form == Form::facts) return;
+        }
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, std::optional<Quotient>>) {
             // Two members: KEY with the ratio, and KEY_interval.
             json[field.key] = value ? Json(value->ratio) : Json();

@@ -80,6 +80,18 @@ std::vector<double> unaccounted_shares(const Row& row)
     return shares;
 }
 
+// Returns the mean energy of a picture. Not the median, because counters of GPUs change only now and then.
+std::optional<double> mean_joules(const Row& row)
+{
+    double sum = 0;
+    int count = 0;
+    for (const Sample& sample : row.samples) {
+        sum += sample.joules.value_or(0);
+        count += sample.joules ? 1 : 0;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
 }  // namespace
 
 bool is_counted_for(const Counted& counted, const Row& row)
@@ -134,6 +146,7 @@ Figures figures_of(const Result& result, const Row& row)
     f.readback = median(times(row, &Sample::readback));
     f.host = median(times(row, &Sample::host));
     if (row.setting.frames == 0 && f.wall.median > 0) f.unaccounted = median(unaccounted_shares(row));
+    f.joules = mean_joules(row);
     const double seconds = f.kernel.median;
     if (seconds > 0) {
         f.pixel_rate = static_cast<double>(row.setting.width) * row.setting.height / seconds;
@@ -145,7 +158,6 @@ Figures figures_of(const Result& result, const Row& row)
         f.peak = peak->rate;
         if (row.operations > 0) f.bound = row.operations / peak->rate;
         if (f.operation_rate) f.share = *f.operation_rate / peak->rate;
-        if (f.share && row.operations_error) f.share_error = *row.operations_error / row.operations * *f.share;
     }
     const std::string reference = result.reference();
     for (const Row& other : result.rows) {

@@ -6,8 +6,6 @@
 #include <set>
 
 #include "bench/result/figures.h"
-#include "bench/result/gpu_reading.h"
-#include "bench/result/differences.h"
 #include "bench/result/portability.h"
 #include "bench/result/result_file.h"
 #include "bench/result/result_fields.h"
@@ -32,14 +30,9 @@ Json parsed(const std::string& text, const std::string& name)
     }
 }
 
-// Throws Refusal if two configurations have the same name, if operation counts have no lane utilisation, or if a GPU's
-// readings are impossible.
+// Throws Refusal if two configurations have the same name, or if operation counts have no lane utilisation.
 void check(const Result& result)
 {
-    if (const Json gpus = value_at(result.environment, "/telemetry/gpus"); gpus.is_array()) {
-        std::vector<GpuReading> readings;
-        at_place("environment.telemetry.gpus", [&] { from_json(gpus, readings); });
-    }
     std::set<std::string> names;
     for (const Row& row : result.rows) {
         if (!names.insert(row.name()).second) throw Refusal{"rows", printable(row.name(), 200) + " is there twice"};

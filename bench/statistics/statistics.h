@@ -89,21 +89,6 @@ struct Quotient {
 // the two times in each round.
 Quotient quotient(const ValuesByRun& numerator, const ValuesByRun& denominator);
 
-// Contribution of one sampled patch to the numerator and the denominator of a ratio of sums.
-struct Part {
-    double part = 0, whole = 0;
-};
-
-struct PartRatio {
-    std::optional<double> ratio;  // sum of `part` / sum of `whole`; nullopt if the latter is 0
-    // If only one patch has a `whole` above 0, the variance is unknown; the standard error is then set to the ratio.
-    double standard_error = 0;
-};
-
-// Estimates the ratio of two sums over a picture from a stratified sample of it. `blocks`: one patch from each stratum,
-// in the order of the strata.
-PartRatio ratio_of_sums(std::span<const Part> blocks);
-
 // Returns the p-values after Holm's correction, in the given order. If all corrected values up to 0.05 are called
 // significant, the probability of at least one false alarm is at most 0.05.
 std::vector<double> holm(std::span<const double> p);

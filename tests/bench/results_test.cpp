@@ -152,10 +152,8 @@ Json with_counts()
     Counted counted;
     counted.fractal = "mandelbox";
     counted.setting.width = counted.setting.height = 100;
-    counted.lane_use = {{16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}, ActiveLanes{0.01, 0.02}, ActiveLanes{0.03, 0.04}}};
-    counted.errors = {.per_iteration = 0.5, .per_estimate = 0.25};
+    counted.lane_use = {{16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}}};
     result.rows[0].operations = 1e9;
-    result.rows[0].operations_error = 1e7;
     result.counts.push_back(counted);
     return json_of(derived(result));
 }
@@ -186,25 +184,14 @@ TEST(ResultFile, FiguresAreComputedFromTheFacts)
 TEST(ResultFile, WhatAFileLacksIsUnknown)
 {
     Json facts = facts_of(parse_result(text_of(with_counts()), "file.json"));
-    for (const char* key : {"driver", "operations_standard_error", "step_factor"}) facts["rows"][0].erase(key);
+    for (const char* key : {"driver", "step_factor"}) facts["rows"][0].erase(key);
     facts["counts"][0]["lane_use"][0].erase("refilled");
     facts.erase("warnings");
     const Json json = json_of(parse_result(text_of(facts), "file.json"));
     EXPECT_EQ(json["rows"][0]["driver"], "");
-    EXPECT_TRUE(json["rows"][0]["operations_standard_error"].is_null());
     EXPECT_TRUE(json["rows"][0]["step_factor"].is_null());
     EXPECT_TRUE(json["counts"][0]["lane_use"][0]["refilled"].is_null());
     EXPECT_TRUE(json["warnings"].empty());
-}
-
-// The share of the peak has the same relative standard error as the number of operations.
-TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
-{
-    Result result = parse_result(text_of(with_counts()), "file.json");
-    result.peaks.push_back({"machine", "openmp", 0, Precision::f32, 1e12});
-    const Json figures = json_of(derived(result))["rows"][0]["figures"];
-    EXPECT_NEAR(figures["share_of_peak_standard_error"].get<double>(), 0.01 * figures["share_of_peak"].get<double>(),
-                1e-12);
 }
 
 TEST(ResultFile, WhatItMustNotHoldIsRefused)
@@ -224,19 +211,6 @@ TEST(ResultFile, WhatItMustNotHoldIsRefused)
     Json idle = with_counts();
     idle["counts"][0]["lane_use"] = Json::array();
     EXPECT_NE(refusal_of(text_of(idle)).find("lane_use: [] given"), std::string::npos);
-}
-
-TEST(ResultFile, ImpossibleReadingsOfAGpuAreRefused)
-{
-    Json json = whole();
-    json["environment"]["telemetry"]["gpus"] =
-        Json::parse(R"([{"name": "GPU", "joules": null, "watts": 141.9, "celsius": 36, "sm_megahertz": 1755,
-                         "most_sm_megahertz": 1980, "memory_megahertz": null, "throttled": "none"}])");
-    EXPECT_EQ(refusal_of(text_of(json)), "");
-    json["environment"]["telemetry"]["gpus"][0]["celsius"] = 141873;
-    EXPECT_EQ(refusal_of(text_of(json)),
-              "file.json: environment.telemetry.gpus[0].celsius: 141873 given, expected a number from -100 to 200, "
-              "expected a result of bench --json");
 }
 
 TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
