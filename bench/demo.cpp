@@ -128,6 +128,7 @@ int body(int argc, char** argv)
     const Registry registry = program_backends(argc, argv);
     Options options;
     options.study = &study_named(demo_study);
+    options.budget = 75;
     options.size = std::pair(side, side);
     Folder folder(path);
     Display display("demo");
@@ -135,9 +136,8 @@ int body(int argc, char** argv)
     std::vector<Case> cases = cases_of(registry, options);
     std::vector<TimedCase> live = verified_cases(
         cases, registry, phase, [&](const Row& row, const Image& image) { folder.write_picture(row, image); });
-    const Rules rules = rules_of(options);
-    keep_long_pictures(live, rules);
-    run_rounds(live, rules, phase);
+    keep_long_pictures(live, options);
+    run_rounds(live, options, phase);
     display.finish();
     Result result;
     result.study = demo_study;

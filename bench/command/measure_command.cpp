@@ -78,8 +78,7 @@ Texts measured(const MeasureCommand& command, Registry& registry)
     }
     return {.table = to_console(result, command.wide),
             .passed = !result.failed() && result.runs == runs,
-            .json = text_of(facts_of(result)),
-            .csv = to_csv(result)};
+            .files = {{"--json", text_of(facts_of(result))}, {"--csv", to_csv(result)}}};
 }
 
 }  // namespace
@@ -107,7 +106,8 @@ void MeasureCommand::declare(CLI::App& app, Registry& registry)
     app.add_flag("--move-eye", options.move_eye,
                  "move the eye in each round, so that a picture kept from an earlier run is noticed (default with "
                  "program:PROGRAM)");
-    outputs.declare(app, "all results and samples", "one line per configuration");
+    outputs.declare(app, "--json", "all results and samples as JSON");
+    outputs.declare(app, "--csv", "one line per configuration");
     app.add_flag("--wide", wide, "print all columns, in long lines");
     app.add_flag("--peaks,!--no-peaks", options.peaks,
                  "measure (default) or skip the peak rate of multiply-adds of every device");

@@ -29,14 +29,20 @@ void refuse_kept_result(const std::string& path, const std::string& results, boo
 void Outputs::check(const std::vector<std::string>& read) const
 {
     std::vector<NamedFile> written;
-    for (const Output& output : outputs_) {
-        if (output.path.empty() || output.path == "-") continue;
-        OutputFile::check(output.path);
-        refuse_kept_result(output.path, MANDELMARCH_RESULTS, sources_changed());
-        written.push_back({output.option, output.path});
-    }
-    if (outputs_[0].path == "-" && outputs_[1].path == "-") {
-        throw InputError("--json and --csv: both go to standard output, expected a file for one of them");
+    std::string standard;  // the option whose output goes to standard output
+    for (const auto& [option, path] : paths_) {
+        if (path.empty()) continue;
+        if (path == "-" && !standard.empty()) {
+            throw InputError(fmt::format("{} and {}: both go to standard output, expected a file for one of them",
+                                         standard, option));
+        }
+        if (path == "-") {
+            standard = option;
+            continue;
+        }
+        OutputFile::check(path);
+        refuse_kept_result(path, MANDELMARCH_RESULTS, sources_changed());
+        written.push_back({option, path});
     }
     std::vector<NamedFile> named;
     named.reserve(read.size());
@@ -44,11 +50,9 @@ void Outputs::check(const std::vector<std::string>& read) const
     refuse_shared_files(written, named);
 }
 
-void Outputs::declare(CLI::App& app, const std::string& json, const char* csv)
+void Outputs::declare(CLI::App& app, const std::string& option, const std::string& what)
 {
-    constexpr const char* about = "write {} to this file (-: standard output)";
-    app.add_option("--json", outputs_[0].path, fmt::format(about, json + " as JSON"));
-    if (csv != nullptr) app.add_option("--csv", outputs_[1].path, fmt::format(about, csv));
+    app.add_option(option, paths_[option], fmt::format("write {} to this file (-: standard output)", what));
 }
 
 int Outputs::deliver(const std::vector<std::string>& read, const std::function<Texts()>& work) const
@@ -57,11 +61,12 @@ int Outputs::deliver(const std::vector<std::string>& read, const std::function<T
     const Texts texts = work();
     bool written = true;
     const std::string* standard = nullptr;
-    for (const auto& [option, text, path] : outputs_) {
-        if (path == "-") standard = &(texts.*text);
+    for (const auto& [option, path] : paths_) {
+        const std::string& text = texts.files.at(option);
+        if (path == "-") standard = &text;
         if (path.empty() || path == "-") continue;
         try {
-            write_file(path, texts.*text);
+            write_file(path, text);
         } catch (const std::exception& error) {
             say("bench: {}: {}\n", option, printable(error.what()));
             written = false;

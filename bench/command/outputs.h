@@ -3,8 +3,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,19 +14,19 @@ namespace mandelmarch::bench {
 // changes. A result of such sources could not be reproduced.
 void refuse_kept_result(const std::string& path, const std::string& results, bool sources_changed);
 
-// What a command found, in the forms in which it is written. `passed`: the command succeeded.
+// What a command found: its table, and the texts of its outputs by their options. `passed`: the command succeeded.
 struct Texts {
     std::string table;
     bool passed = true;
-    std::string json{}, csv{};
+    std::map<std::string, std::string> files{};
 };
 
 // Files and standard output ("-") that are checked before a command's work and written after it. A failure to write one
 // of them does not affect the others.
 class Outputs {
 public:
-    // Declares --json and, if it is not null, --csv. `json`, `csv`: what is written, for the help text.
-    void declare(CLI::App& app, const std::string& json, const char* csv = nullptr);
+    // Declares an option that names an output. `what` is written, for the help text.
+    void declare(CLI::App& app, const std::string& option, const std::string& what);
 
     // Checks the outputs, calls work(), and writes the outputs and the table. The table goes to standard output or, if
     // an output goes there, to stderr. Throws InputError before work() if an output is one of the `read` files, if two
@@ -36,14 +36,9 @@ public:
     int deliver(const std::vector<std::string>& read, const std::function<Texts()>& work) const;
 
 private:
-    struct Output {
-        const char* option;
-        std::string Texts::*text;
-        std::string path{};  // empty if the option is not given
-    };
     void check(const std::vector<std::string>& read) const;
 
-    std::array<Output, 2> outputs_{{{"--json", &Texts::json}, {"--csv", &Texts::csv}}};
+    std::map<std::string, std::string> paths_;  // by options; empty if the option is not given
 };
 
 }  // namespace mandelmarch::bench

@@ -25,14 +25,6 @@ std::function<void(double)> shown(Display& display, const char* phase)
     return [&display, phase](double share) { display.show({phase, share}); };
 }
 
-CLI::Option* add_fractal(CLI::App& app, std::vector<const Fractal*>& fractals, const char* about)
-{
-    return app
-        .add_option_function<std::string>(
-            "--fractal", [&](const std::string& text) { fractals = parse_fractals(text, fractals); }, about)
-        ->default_str("all");
-}
-
 // Prints a discrepancy on stderr, with the parameter file that reproduces it. If `folder` is given, writes that file to
 // it and prints the file's path instead.
 void show(const Discrepancy& d, const std::string& folder)
@@ -63,7 +55,7 @@ void RandomCommand::declare(CLI::App& app, Registry& /*registry*/)
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->capture_default_str();
-    outputs.declare(app, "the results of all scenes");
+    outputs.declare(app, "--json", "the results of all scenes as JSON");
 }
 
 int RandomCommand::run(Registry& registry) const
@@ -72,7 +64,7 @@ int RandomCommand::run(Registry& registry) const
         Display display;
         RandomResult found = measure_random(registry, options, shown(display, "canonical pictures"));
         found.environment = environment(registry);
-        return {.table = to_console(found), .passed = found.passed(), .json = text_of(facts_of(found))};
+        return {.table = to_console(found), .passed = found.passed(), .files = {{"--json", text_of(facts_of(found))}}};
     });
 }
 
@@ -96,7 +88,7 @@ void EquivalenceCommand::declare(CLI::App& app, Registry& registry)
         ->check(whole(0, 1'000'000'000))
         ->capture_default_str();
     app.add_option("--folder", folder, "folder for the parameter files of scenes whose pictures differ");
-    outputs.declare(app, "all results");
+    outputs.declare(app, "--json", "all results as JSON");
 }
 
 int EquivalenceCommand::run(Registry& registry) const
@@ -111,7 +103,7 @@ int EquivalenceCommand::run(Registry& registry) const
                         options.seed, registry.with(Role::host).name());
         return {.table = title + to_console(found),
                 .passed = found.failures.empty() && found.discrepancies.empty(),
-                .json = text_of(facts_of(found))};
+                .files = {{"--json", text_of(facts_of(found))}}};
     });
 }
 

@@ -50,18 +50,12 @@ Json record_schema(Json& definitions)
     return schema;
 }
 
-// Limits of at least this size are left out of the schemas, because they only serve to detect damaged files.
-constexpr double most_limited = 1e9;
-
 template <class Number>
 Json number_schema(const Rule& rule)
 {
     Json schema{{"type", std::is_floating_point_v<Number> ? "number" : "integer"}};
-    const auto number = [](double limit) {
-        return std::trunc(limit) == limit ? Json(static_cast<std::int64_t>(limit)) : Json(limit);
-    };
-    if (rule.min > -most_limited) schema["minimum"] = number(rule.min);
-    if (rule.max < most_limited) schema["maximum"] = number(rule.max);
+    if (std::isfinite(rule.min)) schema["minimum"] = rule.min;
+    if (std::isfinite(rule.max)) schema["maximum"] = rule.max;
     return rule.null == Null::none ? schema : nullable(std::move(schema));
 }
 
@@ -114,26 +108,19 @@ struct Kind {
     Json (*derived)(const Json& json, const std::string& name);  // see derived_json()
 };
 
-// Returns the kind of the files with this record. figures(record): returns the record with its derived figures.
-template <class Record, class Figures>
-constexpr Kind kind_of(const char* name, const char* title, const char* about, Figures /*figures*/)
-{
-    return {
-        name, format_of<Record>, title, about, record_schema<Record>, [](const Json& json, const std::string& file) {
-            return document(Figures()(record_of<Record>(json, file, [](const Record&) {})), Form::derived);
-        }};
-}
-
 constexpr Kind kinds[] = {
     {"result", format_of<Result>, "A result of bench",
      "Times are in seconds, rates per second. An operation is an addition, subtraction, multiplication, division or "
      "square root in one lane. docs/bench-output.md explains every quantity.",
      record_schema<Result>,
      [](const Json& json, const std::string& file) { return json_of(result_from_json(json, file)); }},
-    kind_of<RandomResult>("random", "Fast pictures of random scenes",
-                          "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 "
-                          "from the canonical picture.",
-                          [](RandomResult result) { return summed(std::move(result)); }),
+    {"random", format_of<RandomResult>, "Fast pictures of random scenes",
+     "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 from the canonical "
+     "picture.",
+     record_schema<RandomResult>,
+     [](const Json& json, const std::string& file) {
+         return document(summed(record_of<RandomResult>(json, file)), Form::derived);
+     }},
     {"equivalence", format_of<EquivalenceResult>, "An equivalence test", "Written by `bench equivalence --json`.",
      record_schema<EquivalenceResult>, [](const Json& json, const std::string& /*file*/) { return json; }},
     {"portability",

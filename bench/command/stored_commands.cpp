@@ -73,8 +73,8 @@ void PortabilityCommand::declare(CLI::App& app, Registry& /*registry*/)
     app.add_option("FILES", paths, "result files written by --json, or folders of them")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->required();
-    outputs.declare(app, "the metric and the data of cascade plots",
-                    "pixels per second on each platform, for p3-analysis-library,");
+    outputs.declare(app, "--json", "the metric and the data of cascade plots as JSON");
+    outputs.declare(app, "--csv", "pixels per second on each platform, for p3-analysis-library,");
 }
 
 int PortabilityCommand::run(Registry& /*registry*/) const
@@ -82,7 +82,7 @@ int PortabilityCommand::run(Registry& /*registry*/) const
     const std::vector<std::string> files = result_files(paths);
     return outputs.deliver(files, [&]() -> Texts {
         const std::vector<Portability> found = portability(results_in(files));
-        return {.table = to_console(found), .json = text_of(json_of(found)), .csv = to_csv(found)};
+        return {.table = to_console(found), .files = {{"--json", text_of(json_of(found))}, {"--csv", to_csv(found)}}};
     });
 }
 

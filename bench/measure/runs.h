@@ -22,8 +22,8 @@ Result merged(std::vector<Result> results);
 // adds a warning and prints a line on stderr. Result::runs is the number of runs with a result.
 Result with_further_runs(Result first, int count, const RunProcess& run);
 
-// Starts this program with the given arguments and `--run N`, where N is `run`, and parses the result that it prints. Throws
-// Error if the process prints no result.
+// Starts this program with the given arguments and `--run N`, where N is `run`, and parses the result that it prints.
+// Throws Error if the process prints no result.
 Result run_again(const std::vector<std::string>& arguments, int run);
 
 }  // namespace mandelmarch::bench

@@ -46,6 +46,14 @@ std::string short_application(const Result& result, const Row& row)
     return fmt::format("{}[{}]", row.application.substr(0, colon), place);
 }
 
+// Returns a table whose first columns name a row, as cells_of() does.
+Table row_table(std::initializer_list<const char*> more)
+{
+    std::vector<std::string> heads{"<scene", "<precision", "<mode", "<backend", ">dev"};
+    heads.insert(heads.end(), more.begin(), more.end());
+    return Table(std::move(heads));
+}
+
 // Returns the cells that name a row, and more cells.
 template <class... More>
 std::vector<std::string> cells_of(const Result& result, const Row& row, const More&... more)
@@ -146,7 +154,7 @@ std::string devices(const Result& result)
 std::string incomplete_parts(const Result& result)
 {
     constexpr double little = 0.05;
-    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", "<point", ">share"});
+    Table table = row_table({"<point", ">share"});
     for (const Row& row : result.rows) {
         if (!row.timed() || row.figures->unaccounted.value_or(0) <= little) continue;
         table.add_cells(cells_of(result, row, row.sweep_value, percent(row.figures->unaccounted)));
@@ -173,8 +181,7 @@ std::string interval_of(const std::optional<Quotient>& quotient)
 // Returns the table of speed-ups over both baselines.
 std::string speed_ups(const Result& result)
 {
-    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", ">serial", "<95 % interval", ">scalar",
-                 "<95 % interval", "<point"});
+    Table table = row_table({">serial", "<95 % interval", ">scalar", "<95 % interval", "<point"});
     for (const Row& row : result.rows) {
         if (!row.timed() || (!row.figures->speed_up && !row.figures->over_scalar)) continue;
         const Figures& f = *row.figures;
@@ -191,7 +198,7 @@ std::string speed_ups(const Result& result)
 std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
 {
     if (ratios.empty()) return {};
-    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", ">ratio", "<95 % interval", ">pairs", "<point"});
+    Table table = row_table({">ratio", "<95 % interval", ">pairs", "<point"});
     for (const Ratio& ratio : ratios) {
         const Row& row = result.row(ratio.denominator);
         std::vector<std::string> cells = cells_of(result, row, ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-",

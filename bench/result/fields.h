@@ -74,17 +74,6 @@ struct Description {
     explicit constexpr Description(const char* record, Fields... fields) : name(record), list(fields...) {}
 };
 
-// Returns the description of a record that has the fields of `base`, its base class, after its own.
-template <class... Own, class... Base>
-constexpr auto extended(const Description<Own...>& own, const Description<Base...>& base)
-{
-    return std::apply(
-        [&](const auto&... fields) {
-            return Description{own.name, fields...};
-        },
-        std::tuple_cat(own.list, base.list));
-}
-
 // The description of a record, the values of an enumeration, whose texts name_of() returns, and the keys of an array
 // that is stored as an object; nullptr for other types.
 template <class Record>

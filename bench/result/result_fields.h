@@ -172,22 +172,20 @@ inline constexpr auto fields_of<LaneUse> =
                 field("refilled", &LaneUse::refilled)};
 
 template <>
-inline constexpr auto fields_of<Count> = Description{"count",
-                                                     field("pixels", &Count::pixels),
-                                                     field("hits", &Count::hits),
-                                                     field("work", &Count::work),
-                                                     field("stages", &Count::stages),
-                                                     derived_field("operations_per_iteration", &Count::per_iteration),
-                                                     field("march_de_calls", &Count::march_estimates),
-                                                     field("march_iterations", &Count::march_iterations),
-                                                     field("lane_use", &Count::lane_use)};
-
-template <>
 inline constexpr auto fields_of<Counted> =
-    extended(Description{"counted", field("fractal", &Counted::fractal, "", rules::required),
-                         field("precision", &Counted::precision, "", rules::required),
-                         field("mode", &Counted::mode, "", rules::required), field("setting", &Counted::setting)},
-             fields_of<Count>);
+    Description{"counted",
+                field("fractal", &Counted::fractal, "", rules::required),
+                field("precision", &Counted::precision, "", rules::required),
+                field("mode", &Counted::mode, "", rules::required),
+                field("setting", &Counted::setting),
+                field("pixels", &Counted::pixels),
+                field("hits", &Counted::hits),
+                field("work", &Counted::work),
+                field("stages", &Counted::stages),
+                derived_field("operations_per_iteration", &Counted::per_iteration),
+                field("march_de_calls", &Counted::march_estimates),
+                field("march_iterations", &Counted::march_iterations),
+                field("lane_use", &Counted::lane_use)};
 
 template <>
 inline constexpr auto fields_of<Ratio> =

@@ -10,26 +10,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-struct Moments {
-    double mean = 0;
-    double variance_of_mean = 0;
-    double degrees = 0;
-};
-
-// Returns moments of the values' logarithms. Logarithms are used because times are positive, and disturbances multiply
-// them.
-Moments moments(std::span<const double> values)
-{
-    const auto n = static_cast<double>(values.size());
-    double sum = 0;
-    for (const double value : values) sum += std::log(value);
-    Moments m{.mean = sum / n, .degrees = n - 1};
-    double squares = 0;
-    for (const double value : values) squares += (std::log(value) - m.mean) * (std::log(value) - m.mean);
-    m.variance_of_mean = squares / (n - 1) / n;
-    return m;
-}
-
 // Tests whether a ratio differs from 1 by more than the margin. `shift`: the difference of the means of the logarithms.
 Difference tested(const Moments& shift, double margin)
 {
@@ -75,6 +55,18 @@ std::optional<Interval> holding(std::optional<Interval> interval, double value)
 }
 
 }  // namespace
+
+Moments moments(std::span<const double> values)
+{
+    const auto n = static_cast<double>(values.size());
+    double sum = 0;
+    for (const double value : values) sum += std::log(value);
+    Moments m{.mean = sum / n, .degrees = n - 1};
+    double squares = 0;
+    for (const double value : values) squares += (std::log(value) - m.mean) * (std::log(value) - m.mean);
+    m.variance_of_mean = squares / (n - 1) / n;
+    return m;
+}
 
 std::optional<double> Summary::half_width() const
 {

@@ -47,6 +47,14 @@ Summary summary(const ValuesByRun& runs);
 // number of runs minus one. Returns nullopt if there are fewer than two runs, or if a median is not above 0.
 std::optional<Interval> run_interval(std::span<const double> medians);
 
+// Moments of the logarithms of values, which are above 0. Logarithms are used because disturbances multiply times.
+struct Moments {
+    double mean = 0;
+    double variance_of_mean = 0;
+    double degrees = 0;  // of freedom
+};
+Moments moments(std::span<const double> values);
+
 // Returns the median of each run, in the order of the runs.
 std::vector<double> medians_of(const ValuesByRun& runs);
 

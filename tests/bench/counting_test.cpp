@@ -54,7 +54,7 @@ TEST(Counting, ByHand)
 }
 
 // multiply_add_chains() does 18 additions that belong to no round: 9 before the first round and 9 after the last.
-TEST(Counting, ThePeakDoesAsManyOperationsAsItIsCreditedWith)
+TEST(Counting, PeakKernelHasTheOperationsOfItsRate)
 {
     for (const int rounds : {0, 1, 7}) {
         const Operations all = counted([&] { text::multiply_add_chains(1, peak_factor, peak_addend, rounds); });
@@ -63,7 +63,7 @@ TEST(Counting, ThePeakDoesAsManyOperationsAsItIsCreditedWith)
     }
 }
 
-TEST(Counting, TheWorkIsThatOfABackend)
+TEST(Counting, WorkIsThatOfABackend)
 {
     const Registry registry = all_backends();
     for (const char* name : {"bulb", "box"}) {
@@ -87,7 +87,7 @@ TEST(Counting, TheWorkIsThatOfABackend)
 }
 
 // Only fast mode has operations in the stage `refine`. In exact mode most operations are in the stage `march`.
-TEST(Counting, Stages)
+TEST(Counting, OnlyFastModeRefines)
 {
     const Scene scene = official_scene("box", 160, 120);
     const auto of = [](const Count& count, Stage stage) {
@@ -115,22 +115,6 @@ TEST(Counting, SmallerPictureHasTheOperationsOfAnIteration)
     EXPECT_NEAR(part.per_iteration() / whole.per_iteration(), 1, 0.002);
     const Scene& far = std::ranges::find(views, "far", &View::name)->scene;
     EXPECT_GT(std::abs(count_operations(far, {}).per_iteration() / whole.per_iteration() - 1), 0.01);
-}
-
-TEST(Counting, Lanes)
-{
-    const Scene scene = official_scene("box", 96, 96);
-    const Count count = count_operations(scene, {.lanes = {1, 16, 32, 64}});
-    ASSERT_EQ(count.lane_use.size(), 4U);
-    EXPECT_EQ(count.lane_use[0].together.in_steps, 1);
-    EXPECT_EQ(count.lane_use[0].together.in_iterations, 1);
-    for (std::size_t i = 1; i < count.lane_use.size(); ++i) {
-        const LaneUse& use = count.lane_use[i];
-        EXPECT_LT(use.together.in_steps, count.lane_use[i - 1].together.in_steps);
-        EXPECT_LT(use.together.in_iterations, use.together.in_steps);
-        EXPECT_GT(use.refilled->in_steps, use.together.in_steps);
-        EXPECT_GT(use.refilled->in_iterations, use.together.in_iterations);
-    }
 }
 
 // A vector has two lanes. Four rays take three, one, two and no steps; `rays` has the iterations of each step.
