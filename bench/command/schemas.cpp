@@ -54,8 +54,12 @@ template <class Number>
 Json number_schema(const Rule& rule)
 {
     Json schema{{"type", std::is_floating_point_v<Number> ? "number" : "integer"}};
-    if (std::isfinite(rule.min)) schema["minimum"] = rule.min;
-    if (std::isfinite(rule.max)) schema["maximum"] = rule.max;
+    const auto limit = [&](const char* key, double value) {
+        if (std::abs(value) >= 1e9) return;  // serves to detect damaged files only
+        schema[key] = std::trunc(value) == value ? Json(static_cast<std::int64_t>(value)) : Json(value);
+    };
+    limit("minimum", rule.min);
+    limit("maximum", rule.max);
     return rule.null == Null::none ? schema : nullable(std::move(schema));
 }
 
