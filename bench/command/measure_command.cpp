@@ -3,11 +3,9 @@
 
 #include <csignal>
 
-#include "apps/cli/arguments.h"
 #include "apps/cli/option_values.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
-#include "bench/command/outputs.h"
 #include "bench/result/result_file.h"
 #include "bench/print/printers.h"
 #include "bench/statistics/table.h"

@@ -17,6 +17,8 @@
 #include "core/text/text.h"
 
 namespace mandelmarch::bench {
+namespace {
+
 Result merged(std::vector<Result> results)
 {
     Result all = std::move(results.front());
@@ -39,6 +41,8 @@ Result merged(std::vector<Result> results)
     all.runs += static_cast<int>(results.size()) - 1;
     return derived(std::move(all));
 }
+
+}  // namespace
 
 Result with_further_runs(Result first, int count, const RunProcess& run)
 {

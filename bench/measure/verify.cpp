@@ -37,6 +37,16 @@ void describe(Row& row, const RenderStats& report)
     row.work = report.work;
 }
 
+// Returns the level of agreement that the configuration's picture needs. A reference and a foreign program are other
+// implementations, whose exact pictures are close to the kernel's, but not identical.
+Level level_required(const Case& one, const Image& image)
+{
+    const BackendInfo info = one.backend->info();
+    const Level required =
+        info.role == Role::reference || info.foreign ? Level::perceptual : level_required(one.row.mode);
+    return image.has_values() ? required : std::max(required, Level::same_bytes);
+}
+
 }  // namespace
 
 ExpectedBy ExpectedPictures::source_for(const Case& one) const
@@ -75,14 +85,6 @@ const ExpectedPicture& ExpectedPictures::for_case(const Case& one)
     return kept;
 }
 
-Level level_required(const Case& one, const Image& image)
-{
-    const BackendInfo info = one.backend->info();
-    const Level required =
-        info.role == Role::reference || info.foreign ? Level::perceptual : level_required(one.row.mode);
-    return image.has_values() ? required : std::max(required, Level::same_bytes);
-}
-
 bool passes(const Case& one, const Image& image, const Agreement& found)
 {
     // With `--without refinement`, the same rays hit, but at slightly different points. The check then only compares
@@ -92,6 +94,11 @@ bool passes(const Case& one, const Image& image, const Agreement& found)
     return found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
 }
 
+std::uint64_t fingerprint(const Image& image) { return fnv1a(image.bytes().data(), image.bytes().size()); }
+
+namespace {
+
+// Sets one.row.verification and, if `image` is wrong, one.row.failure.
 void verify(Case& one, const Image& image, const ExpectedPicture& expected)
 {
     Row& row = one.row;
@@ -118,10 +125,6 @@ void verify(Case& one, const Image& image, const ExpectedPicture& expected)
         }
     }
 }
-
-std::uint64_t fingerprint(const Image& image) { return fnv1a(image.bytes().data(), image.bytes().size()); }
-
-namespace {
 
 // Renders the configuration's picture once, verifies it, and passes it to `keep`. Returns nullopt if the configuration
 // cannot be timed; one.row then holds the reason.

@@ -58,15 +58,8 @@ private:
     ExpectedPicture exact_, fast_;
 };
 
-// Returns the level of agreement that the configuration's picture needs. A reference and a foreign program are other
-// implementations, whose exact pictures are close to the kernel's, but not identical.
-Level level_required(const Case& one, const Image& image);
 // Returns true if the configuration's picture agrees well enough with the expected one.
 bool passes(const Case& one, const Image& image, const Agreement& found);
-
-// Compares `image`, rendered by the configuration, with the expected picture. Sets one.row.verification and, if `image`
-// is wrong, one.row.failure.
-void verify(Case& one, const Image& image, const ExpectedPicture& expected);
 
 // Receives a configuration's picture, right or wrong, after its verification.
 using KeepPicture = std::function<void(const Row&, const Image&)>;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/result/figures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 

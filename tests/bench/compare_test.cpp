@@ -177,7 +177,6 @@ TEST(Compare, LossOfASpeedIsARegression)
         {"new: it was not timed", [](Row& row) { row.samples.clear(); }},
         {"new: samples of one run only", [](Row& row) { row.samples.resize(1); }},
         {"new: a time is not above 0", [](Row& row) { row.samples[7].kernel = 0; }},
-        {"new: a time is not above 0", [](Row& row) { row.samples[7].kernel = -1; }},
         {"other settings: 100x100 and 270x100", [](Row& row) { row.setting.width = 270; }},
         {"new: the picture is wrong", [](Row& row) { row.failure = "the picture is wrong"; }, Verdict::wrong}};
     std::mt19937_64 random(7);
