@@ -12,7 +12,7 @@
 #include "backends/all.h"
 #include "bench/command/display.h"
 #include "bench/measure/verify.h"
-#include "bench/print/demo_table.h"
+#include "bench/print/printers.h"
 #include "bench/result/figures.h"
 #include "apps/cli/options.h"
 #include "core/os/cores.h"
@@ -74,23 +74,11 @@ public:
             {"side", side},
             {"repetitions", study_named(demo_study).most_rounds},
         };
-        for (const Row& row : demo_rows(result)) {
-            const auto picture = pictures_.find(row.name());
-            json["rows"].push_back({
-                {"fractal", row.fractal},
-                {"backend", row.backend},
-                {"simd_width", row.setting.simd_width},
-                {"precision", name_of(row.precision)},
-                {"mode", name_of(row.mode)},
-                {"drawn", picture != pictures_.end()},
-                {"fine", !row.failed()},
-                {"said", remark(row)},
-                {"device", row.device_name},
-                {"is_gpu", row.is_gpu},
-                {"wall_seconds", row.figures ? row.figures->wall.median : 0},
-                {"speed_up", speed_up(row)},
-                {"picture", picture != pictures_.end() ? picture->second : ""},
-            });
+        for (const Fractal* fractal : default_fractals()) {
+            for (const Row& row : result.rows) {
+                // A backend without a device has one row, which stands for all fractals.
+                if (row.fractal == fractal->name || row.fractal == "all") json["rows"].push_back(entry(row, *fractal));
+            }
         }
         // A driver's name is not always valid UTF-8.
         write_file(path_ + "/demo.json", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
@@ -98,6 +86,25 @@ public:
     }
 
 private:
+    nlohmann::ordered_json entry(const Row& row, const Fractal& fractal) const
+    {
+        const auto picture = pictures_.find(row.name());
+        const std::string why = row.unavailable + row.failure;
+        return {{"fractal", fractal.name},
+                {"backend", row.backend},
+                {"simd_width", row.setting.simd_width},
+                {"precision", name_of(row.precision)},
+                {"mode", name_of(row.mode)},
+                {"drawn", picture != pictures_.end()},
+                {"fine", !row.failed()},
+                {"said", why.empty() ? row.verification.text : why},
+                {"device", row.device_name},
+                {"is_gpu", row.is_gpu},
+                {"wall_seconds", row.figures ? row.figures->wall.median : 0},
+                {"speed_up", row.figures && row.figures->speed_up ? row.figures->speed_up->ratio : 0},
+                {"picture", picture != pictures_.end() ? picture->second : ""}};
+    }
+
     std::string path_;
     std::map<std::string, std::string> pictures_;  // file names, by the names of configurations
     std::string fault_;                            // empty: every picture was written
@@ -120,22 +127,28 @@ int body(int argc, char** argv)
     const Registry registry = program_backends(argc, argv);
     Options options;
     options.study = &study_named(demo_study);
+    options.budget = 75;
     options.size = std::pair(side, side);
     Folder folder(path);
-    Display display(false, "demo");
+    Display display("demo");
     const Phase phase = [&](const Step& step) { display.show(step); };
     std::vector<Case> cases = cases_of(registry, options);
     std::vector<TimedCase> live = verified_cases(
         cases, registry, phase, [&](const Row& row, const Image& image) { folder.write_picture(row, image); });
-    const Rules rules = rules_of(options);
-    keep_long_pictures(live, rules);
-    run_rounds(live, rules, phase);
+    keep_long_pictures(live, options);
+    run_rounds(live, options, phase);
     display.finish();
     Result result;
     result.study = demo_study;
+    for (const auto& backend : registry.backends()) {
+        result.environment["backends"].push_back({{"name", backend->name()}, {"role", name_of(backend->info().role)}});
+    }
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
     result = derived(std::move(result));
-    print(std::string_view(demo_table(result)));
+    print(
+        "{}, {} threads\n{} x {} pixels; kernel and wall: medians in ms; speed-up: of wall time over {}, double, "
+        "exact\n{}",
+        cpu_name(), usable_threads(), side, side, result.reference(), main_table(result));
     folder.write_table(result, side);
     folder.check();
     return result.failed() ? exit_failure : exit_success;

@@ -10,22 +10,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-struct Command {
-    const char* name;
-    const char* about;
-    Run (*declare)(CLI::App& app, Registry& registry);
-};
-
-constexpr Command commands[] = {
-    {"compare", "compare two result files, OLD.json NEW.json; exit code 1 on a regression", compare_command},
-    {"csv", "print a stored result, FILE.json, as --csv does", csv_command},
-    {"json", "print a stored file, FILE.json, with all figures that follow from what it holds", json_command},
-    {"schema", "print the JSON Schema of a kind of file: result, random, ...", schema_command},
-    {"peak", "measure the peak rate of multiply-adds of every device", peak_command},
-    {"portability", "compute Pennycook's performance portability over result files: FILES...", portability_command},
-    {"random", "measure fast mode's error on random scenes", random_command},
-    {"equivalence", "check exact mode bit for bit on random scenes, with every backend", equivalence_command}};
-
 // Throws InputError if an option of measurements was given before a command, because the command would ignore it.
 void refuse_options(const CLI::App& app, const std::string& command)
 {
@@ -50,19 +34,37 @@ int bench_program(Registry registry, int argc, char** argv)
     add_isolation_option(app);
     // The last value counts if an option is given twice.
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    const Run measure = measure_command(app, registry, {argv + 1, argv + argc});
-    std::vector<std::pair<const CLI::App*, Run>> runs;
-    for (const Command& command : commands) {
-        CLI::App* sub = app.add_subcommand(command.name, command.about);
-        runs.emplace_back(sub, command.declare(*sub, registry));
-    }
-    if (const auto done = parse_arguments(app, "bench", argc, argv)) return *done;
-    for (const auto& [sub, run] : runs) {
-        if (!sub->parsed()) continue;
-        refuse_options(app, sub->get_name());
-        return run();
-    }
-    return measure();
+    int code = exit_success;
+    MeasureCommand measure{.arguments = {argv + 1, argv + argc}};
+    measure.declare(app, registry);
+    app.callback([&] {
+        if (app.get_subcommands().empty()) code = measure.run(registry);
+    });
+    const auto add = [&](auto& command, const char* name, const char* about) {
+        CLI::App* sub = app.add_subcommand(name, about);
+        command.declare(*sub, registry);
+        sub->callback([&app, &command, &registry, &code, name] {
+            refuse_options(app, name);
+            code = command.run(registry);
+        });
+    };
+    CompareCommand compare;
+    PrintCommand csv{"FILE", "result file written by --json", stored_csv};
+    PrintCommand json{"FILE", "result file written by --json", derived_json};
+    PrintCommand schema{"KIND", "kind of file", schema_text};
+    PeakCommand peak;
+    PortabilityCommand portability;
+    RandomCommand random;
+    EquivalenceCommand equivalence;
+    add(compare, "compare", "compare two result files, OLD.json NEW.json; exit code 1 on a regression");
+    add(csv, "csv", "print a stored result, FILE.json, as --csv does");
+    add(json, "json", "print a stored file, FILE.json, with all figures that follow from what it holds");
+    add(schema, "schema", "print the JSON Schema of a kind of file: result, random, ...");
+    add(peak, "peak", "measure the peak rate of multiply-adds of every device");
+    add(portability, "portability", "compute Pennycook's performance portability over result files: FILES...");
+    add(random, "random", "measure fast mode's error on random scenes");
+    add(equivalence, "equivalence", "check exact mode bit for bit on random scenes, with every backend");
+    return parse_arguments(app, "bench", argc, argv).value_or(code);
 }
 
 }  // namespace mandelmarch::bench

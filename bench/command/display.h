@@ -14,12 +14,11 @@ namespace mandelmarch::bench {
 
 class Display {
 public:
-    explicit Display(bool quiet = false, const char* program = "bench") : quiet_(quiet), program_(program) {}
+    explicit Display(const char* program = "bench") : program_(program) {}
 
     // Shows a step. `since`: start of its phase, from which the remaining time is estimated.
     void show(const Step& step, Clock::time_point since = Clock::now())
     {
-        if (quiet_) return;
         if (step.what != what_) {
             what_ = step.what;
             bar_.reset();
@@ -32,7 +31,6 @@ public:
     void finish() { bar_.reset(); }
 
 private:
-    bool quiet_;
     const char* program_;
     std::string what_;
     std::unique_ptr<ProgressBar> bar_;

@@ -29,19 +29,20 @@ void refuse_kept_result(const std::string& path, const std::string& results, boo
 void Outputs::check(const std::vector<std::string>& read) const
 {
     std::vector<NamedFile> written;
-    const Output* first = nullptr;
-    for (const Output& output : outputs_) {
-        if (!output.is_stdout()) {
-            OutputFile::check(*output.path);
-            refuse_kept_result(*output.path, MANDELMARCH_RESULTS, sources_changed());
-            written.push_back({output.option, *output.path});
+    std::string standard;  // the option whose output goes to standard output
+    for (const auto& [option, path] : paths_) {
+        if (path.empty()) continue;
+        if (path == "-" && !standard.empty()) {
+            throw InputError(fmt::format("{} and {}: both go to standard output, expected a file for one of them",
+                                         standard, option));
+        }
+        if (path == "-") {
+            standard = option;
             continue;
         }
-        if (first != nullptr) {
-            throw InputError(fmt::format("{} and {}: both go to standard output, expected a file for one of them",
-                                         first->option, output.option));
-        }
-        first = &output;
+        OutputFile::check(path);
+        refuse_kept_result(path, MANDELMARCH_RESULTS, sources_changed());
+        written.push_back({option, path});
     }
     std::vector<NamedFile> named;
     named.reserve(read.size());
@@ -49,42 +50,31 @@ void Outputs::check(const std::vector<std::string>& read) const
     refuse_shared_files(written, named);
 }
 
-bool Outputs::write_files() const
+void Outputs::declare(CLI::App& app, const std::string& option, const std::string& what)
 {
-    bool all = true;
-    for (const Output& output : outputs_) {
-        if (output.is_stdout()) continue;
+    app.add_option(option, paths_[option], fmt::format("write {} to this file (-: standard output)", what));
+}
+
+int Outputs::deliver(const std::vector<std::string>& read, const std::function<Texts()>& work) const
+{
+    check(read);
+    const Texts texts = work();
+    bool written = true;
+    const std::string* standard = nullptr;
+    for (const auto& [option, path] : paths_) {
+        const std::string& text = texts.files.at(option);
+        if (path == "-") standard = &text;
+        if (path.empty() || path == "-") continue;
         try {
-            write_file(*output.path, output.text());
+            write_file(path, text);
         } catch (const std::exception& error) {
-            say("bench: {}: {}\n", output.option, printable(error.what()));
-            all = false;
+            say("bench: {}: {}\n", option, printable(error.what()));
+            written = false;
         }
     }
-    return all;
-}
-
-void Outputs::option(CLI::App& app, const std::string& name, const std::string& about,
-                     std::function<std::string()> text)
-{
-    outputs_.push_back({name, std::make_shared<std::string>(), std::move(text)});
-    app.add_option(name, *outputs_.back().path, about);
-}
-
-int Outputs::deliver(const std::vector<std::string>& read, const std::function<Done()>& work)
-{
-    std::erase_if(outputs_, [](const Output& output) { return output.path->empty(); });
-    check(read);
-    const Done done = work();
-    const bool written = write_files();
-    const auto standard = std::ranges::find_if(outputs_, &Output::is_stdout);
-    if (standard == outputs_.end()) {
-        print(std::string_view(done.table));
-    } else {
-        say(std::string_view(done.table));
-        print(std::string_view(standard->text()));
-    }
-    return written && done.passed ? exit_success : exit_failure;
+    if (standard != nullptr) say(std::string_view(texts.table));
+    print(std::string_view(standard != nullptr ? *standard : texts.table));
+    return written && texts.passed ? exit_success : exit_failure;
 }
 
 }  // namespace mandelmarch::bench

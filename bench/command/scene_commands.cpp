@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 
 #include "apps/cli/options.h"
 #include "bench/command/commands.h"
@@ -20,25 +19,10 @@
 namespace mandelmarch::bench {
 namespace {
 
-template <class Options, class Found>
-struct State {  // NOLINT(bugprone-exception-escape): moving ordered_json may throw
-    Options options;
-    Found found;
-    Outputs outputs;
-};
-
 // Returns a function that shows the finished fraction of the phase.
 std::function<void(double)> shown(Display& display, const char* phase)
 {
     return [&display, phase](double share) { display.show({phase, share}); };
-}
-
-CLI::Option* add_fractal(CLI::App& app, std::vector<const Fractal*>& fractals, const char* about)
-{
-    return app
-        .add_option_function<std::string>(
-            "--fractal", [&](const std::string& text) { fractals = parse_fractals(text, fractals); }, about)
-        ->default_str("all");
 }
 
 // Prints a discrepancy on stderr, with the parameter file that reproduces it. If `folder` is given, writes that file to
@@ -58,69 +42,69 @@ void show(const Discrepancy& d, const std::string& folder)
 
 }  // namespace
 
-Run random_command(CLI::App& app, Registry& registry)
+void RandomCommand::declare(CLI::App& app, Registry& /*registry*/)
 {
-    const auto state = std::make_shared<State<RandomOptions, RandomResult>>();
-    RandomOptions& o = state->options;
-    o.fractals = default_fractals();
-    app.add_option("--backend", o.backend, "backend to test (default: openmp)");
-    add_fractal(app, o.fractals, "fractals to render: all that bench studies by default, or one name");
-    app.add_option("--without", o.without,
+    app.add_option("--backend", options.backend, "backend to test (default: openmp)");
+    add_fractal(app, options.fractals, "fractals to render: all that bench studies by default, or one name");
+    app.add_option("--without", options.without,
                    "optimisations to disable, separated by commas; names as for `render --without`");
-    app.add_option("--scenes", o.scenes, "scenes per fractal and set")->check(whole(1, 100'000))->capture_default_str();
-    app.add_option("--sets", o.sets, "seeds, one per set, separated by commas")
+    app.add_option("--scenes", options.scenes, "scenes per fractal and set")
+        ->check(whole(1, 100'000))
+        ->capture_default_str();
+    app.add_option("--sets", options.sets, "seeds, one per set, separated by commas")
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->capture_default_str();
-    state->outputs.option(app, "--json", "write the results of all scenes as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(facts_of(s->found)); });
-    return [state, &registry] {
-        return state->outputs.deliver({}, [&]() -> Outputs::Done {
-            Display display;
-            state->found = measure_random(registry, state->options, shown(display, "canonical pictures"));
-            state->found.environment = environment(registry);
-            return {to_console(state->found), state->found.passed()};
-        });
-    };
+    outputs.declare(app, "--json", "the results of all scenes as JSON");
 }
 
-Run equivalence_command(CLI::App& app, Registry& registry)
+int RandomCommand::run(Registry& registry) const
 {
-    const auto state = std::make_shared<State<EquivalenceOptions, EquivalenceResult>>();
-    EquivalenceOptions& o = state->options;
-    const auto folder = std::make_shared<std::string>();
-    app.add_option_function<std::string>(
-           "--backend",
-           [&](const std::string& text) {
-               o.backends = parse_backends(registry, text);
-               for (const std::string& name : o.backends) {
-                   if (registry.find(name)->info().replays) {
-                       throw InputError(fmt::format("--backend: '{}' given, expected a backend of this build", name));
-                   }
-               }
-           },
-           "backend to check: all, or a list such as openmp,reference")
-        ->default_str("all");
-    add_fractal(app, o.fractals, "fractals to render: all, or one name");
-    app.add_option("--scenes", o.scenes, "number of scenes in all")->check(whole(1, 10'000'000))->capture_default_str();
-    app.add_option("--seed", o.seed, "seed for the scenes")->check(whole(0, 1'000'000'000))->capture_default_str();
-    app.add_option("--folder", *folder, "folder for the parameter files of scenes whose pictures differ");
-    state->outputs.option(app, "--json", "write all results as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(facts_of(s->found)); });
-    return [state, folder, &registry] {
-        return state->outputs.deliver({}, [&]() -> Outputs::Done {
-            Display display;
-            EquivalenceResult& found = state->found;
-            found = compare_backends(
-                registry, state->options, [&](const Discrepancy& d) { show(d, *folder); },
-                shown(display, "random scenes"));
-            found.environment = environment(registry);
-            const std::string title =
-                fmt::format("Exact pictures of {} random scenes, seed {}, against {} --simd-width 1\n",
-                            state->options.scenes, state->options.seed, registry.with(Role::host).name());
-            return {title + to_console(found), found.failures.empty() && found.discrepancies.empty()};
-        });
+    return outputs.deliver({}, [&]() -> Texts {
+        Display display;
+        RandomResult found = measure_random(registry, options, shown(display, "canonical pictures"));
+        found.environment = environment(registry);
+        return {.table = to_console(found), .passed = found.passed(), .files = {{"--json", text_of(facts_of(found))}}};
+    });
+}
+
+void EquivalenceCommand::declare(CLI::App& app, Registry& registry)
+{
+    const auto set_backends = [this, &registry](const std::string& text) {
+        options.backends = parse_backends(registry, text);
+        for (const std::string& name : options.backends) {
+            if (!registry.find(name)->info().replays) continue;
+            throw InputError(fmt::format("--backend: '{}' given, expected a backend of this build", name));
+        }
     };
+    app.add_option_function<std::string>("--backend", set_backends,
+                                         "backend to check: all, or a list such as openmp,reference")
+        ->default_str("all");
+    add_fractal(app, options.fractals, "fractals to render: all, or one name");
+    app.add_option("--scenes", options.scenes, "number of scenes in all")
+        ->check(whole(1, 10'000'000))
+        ->capture_default_str();
+    app.add_option("--seed", options.seed, "seed for the scenes")
+        ->check(whole(0, 1'000'000'000))
+        ->capture_default_str();
+    app.add_option("--folder", folder, "folder for the parameter files of scenes whose pictures differ");
+    outputs.declare(app, "--json", "all results as JSON");
+}
+
+int EquivalenceCommand::run(Registry& registry) const
+{
+    return outputs.deliver({}, [&]() -> Texts {
+        Display display;
+        EquivalenceResult found = compare_backends(
+            registry, options, [&](const Discrepancy& d) { show(d, folder); }, shown(display, "random scenes"));
+        found.environment = environment(registry);
+        const std::string title =
+            fmt::format("Exact pictures of {} random scenes, seed {}, against {} --simd-width 1\n", options.scenes,
+                        options.seed, registry.with(Role::host).name());
+        return {.table = title + to_console(found),
+                .passed = found.failures.empty() && found.discrepancies.empty(),
+                .files = {{"--json", text_of(facts_of(found))}}};
+    });
 }
 
 }  // namespace mandelmarch::bench

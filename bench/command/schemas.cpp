@@ -2,16 +2,16 @@
 // The kinds of files that bench writes: their JSON Schemas and their derived figures, both from the descriptions of
 // their records (bench/result/fields.h).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "bench/command/commands.h"
 #include "bench/result/result_fields.h"
 #include "bench/result/result_file.h"
 #include "bench/fidelity/scene_fields.h"
-#include "core/text/console.h"
 #include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -50,18 +50,16 @@ Json record_schema(Json& definitions)
     return schema;
 }
 
-// Limits of at least this size are left out of the schemas, because they only serve to detect damaged files.
-constexpr double most_limited = 1e9;
-
 template <class Number>
 Json number_schema(const Rule& rule)
 {
     Json schema{{"type", std::is_floating_point_v<Number> ? "number" : "integer"}};
-    const auto number = [](double limit) {
-        return std::trunc(limit) == limit ? Json(static_cast<std::int64_t>(limit)) : Json(limit);
+    const auto limit = [&](const char* key, double value) {
+        if (std::abs(value) >= 1e9) return;  // serves to detect damaged files only
+        schema[key] = std::trunc(value) == value ? Json(static_cast<std::int64_t>(value)) : Json(value);
     };
-    if (rule.min > -most_limited) schema["minimum"] = number(rule.min);
-    if (rule.max < most_limited) schema["maximum"] = number(rule.max);
+    limit("minimum", rule.min);
+    limit("maximum", rule.max);
     return rule.null == Null::none ? schema : nullable(std::move(schema));
 }
 
@@ -114,26 +112,19 @@ struct Kind {
     Json (*derived)(const Json& json, const std::string& name);  // see derived_json()
 };
 
-// Returns the kind of the files with this record. figures(record): returns the record with its derived figures.
-template <class Record, class Figures>
-constexpr Kind kind_of(const char* name, const char* title, const char* about, Figures /*figures*/)
-{
-    return {
-        name, format_of<Record>, title, about, record_schema<Record>, [](const Json& json, const std::string& file) {
-            return document(Figures()(record_of<Record>(json, file, [](const Record&) {})), Form::derived);
-        }};
-}
-
 constexpr Kind kinds[] = {
     {"result", format_of<Result>, "A result of bench",
      "Times are in seconds, rates per second. An operation is an addition, subtraction, multiplication, division or "
      "square root in one lane. docs/bench-output.md explains every quantity.",
      record_schema<Result>,
      [](const Json& json, const std::string& file) { return json_of(result_from_json(json, file)); }},
-    kind_of<RandomResult>("random", "Fast pictures of random scenes",
-                          "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 "
-                          "from the canonical picture.",
-                          [](RandomResult result) { return summed(std::move(result)); }),
+    {"random", format_of<RandomResult>, "Fast pictures of random scenes",
+     "Written by `bench random --json`. A pixel counts as off if it differs by more than 2 of 255 from the canonical "
+     "picture.",
+     record_schema<RandomResult>,
+     [](const Json& json, const std::string& file) {
+         return document(summed(record_of<RandomResult>(json, file)), Form::derived);
+     }},
     {"equivalence", format_of<EquivalenceResult>, "An equivalence test", "Written by `bench equivalence --json`.",
      record_schema<EquivalenceResult>, [](const Json& json, const std::string& /*file*/) { return json; }},
     {"portability",
@@ -166,34 +157,23 @@ Json schema_json(const Kind& kind)
     return schema;
 }
 
-// Returns the contents of a file with all figures that follow from its facts.
-Json derived_json(const std::string& path)
-{
-    const Json json = json_in(path);
-    const std::string schema = schema_in(json);
-    const auto* const kind = std::ranges::find_if(
-        kinds, [&](const Kind& one) { return one.format.schema != nullptr && one.format.schema == schema; });
-    if (kind == std::end(kinds)) throw InputError(path + ": not a file of bench, expected a result of --json");
-    return kind->derived(json, path);
-}
-
 }  // namespace
 
-Run schema_command(CLI::App& app, Registry& /*registry*/)
+std::string derived_json(const std::string& path)
 {
-    const auto name = std::make_shared<std::string>();
-    std::vector<std::string> names;
-    for (const Kind& kind : kinds) names.emplace_back(kind.name);
-    app.add_option("KIND", *name, "kind of file")->required()->check(CLI::IsMember(names));
-    return [name]() -> int {
-        print(std::string_view(text_of(schema_json(*std::ranges::find(kinds, std::string_view(*name), &Kind::name)))));
-        return exit_success;
-    };
+    const Json json = json_in(path);
+    const auto* const kind = std::ranges::find_if(
+        kinds, [&](const Kind& one) { return one.format.schema != nullptr && schema_in(json) == one.format.schema; });
+    if (kind == std::end(kinds)) throw InputError(path + ": not a file of bench, expected a result of --json");
+    return text_of(kind->derived(json, path));
 }
 
-Run json_command(CLI::App& app, Registry& /*registry*/)
+std::string schema_text(const std::string& name)
 {
-    return with_file(app, [](const std::string& path) { return text_of(derived_json(path)); });
+    const auto* const kind = std::ranges::find(kinds, std::string_view(name), &Kind::name);
+    if (kind != std::end(kinds)) return text_of(schema_json(*kind));
+    throw InputError(
+        fmt::format("bench schema: '{}' given, expected one of {}", name, fmt::join(mapped(kinds, &Kind::name), ", ")));
 }
 
 Json facts_of(const RandomResult& result) { return document(result, Form::facts); }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <memory>
 #include <set>
 
 #include "bench/command/commands.h"
@@ -44,59 +43,47 @@ std::vector<Result> results_in(const std::vector<std::string>& files)
 
 }  // namespace
 
-Run with_file(CLI::App& app, std::string (*text)(const std::string& path))
+std::string stored_csv(const std::string& path) { return to_csv(read_result(path)); }
+
+void PrintCommand::declare(CLI::App& app, Registry& /*registry*/) { app.add_option(name, argument, about)->required(); }
+
+int PrintCommand::run(Registry& /*registry*/) const
 {
-    const auto path = std::make_shared<std::string>();
-    app.add_option("FILE", *path, "result file written by --json")->required();
-    return [path, text]() -> int {
-        print(std::string_view(text(*path)));
-        return exit_success;
-    };
+    print(std::string_view(text(argument)));
+    return exit_success;
 }
 
-Run csv_command(CLI::App& app, Registry& /*registry*/)
+void CompareCommand::declare(CLI::App& app, Registry& /*registry*/)
 {
-    return with_file(app, [](const std::string& path) { return to_csv(read_result(path)); });
-}
-
-Run compare_command(CLI::App& app, Registry& /*registry*/)
-{
-    const auto files = std::make_shared<std::vector<std::string>>();
-    app.add_option("FILES", *files, "two result files written by --json")
+    app.add_option("FILES", files, "two result files written by --json")
         ->expected(2)
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->required();
-    return [files]() -> int {
-        const ComparedResults comparison = compare_results(read_result(files->at(0)), read_result(files->at(1)));
-        print(std::string_view(to_console(comparison)));
-        return regression(comparison.rows) ? exit_failure : exit_success;
-    };
 }
 
-Run portability_command(CLI::App& app, Registry& /*registry*/)
+int CompareCommand::run(Registry& /*registry*/) const
 {
-    struct State {
-        std::vector<std::string> paths;
-        std::vector<Portability> found;
-        Outputs outputs;
-    };
-    const auto state = std::make_shared<State>();
-    app.add_option("FILES", state->paths, "result files written by --json, or folders of them")
+    const ComparedResults comparison = compare_results(read_result(files.at(0)), read_result(files.at(1)));
+    print(std::string_view(to_console(comparison)));
+    return regression(comparison.rows) ? exit_failure : exit_success;
+}
+
+void PortabilityCommand::declare(CLI::App& app, Registry& /*registry*/)
+{
+    app.add_option("FILES", paths, "result files written by --json, or folders of them")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->required();
-    state->outputs.option(app, "--json",
-                          "write the metric and the data of cascade plots as JSON to this file (-: standard output)",
-                          [s = state.get()] { return text_of(json_of(s->found)); });
-    state->outputs.option(app, "--csv",
-                          "write pixels per second on each platform, for p3-analysis-library (-: standard output)",
-                          [s = state.get()] { return to_csv(s->found); });
-    return [state] {
-        const std::vector<std::string> files = result_files(state->paths);
-        return state->outputs.deliver(files, [&]() -> Outputs::Done {
-            state->found = portability(results_in(files));
-            return {to_console(state->found)};
-        });
-    };
+    outputs.declare(app, "--json", "the metric and the data of cascade plots as JSON");
+    outputs.declare(app, "--csv", "pixels per second on each platform, for p3-analysis-library,");
+}
+
+int PortabilityCommand::run(Registry& /*registry*/) const
+{
+    const std::vector<std::string> files = result_files(paths);
+    return outputs.deliver(files, [&]() -> Texts {
+        const std::vector<Portability> found = portability(results_in(files));
+        return {.table = to_console(found), .files = {{"--json", text_of(json_of(found))}, {"--csv", to_csv(found)}}};
+    });
 }
 
 }  // namespace mandelmarch::bench

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <utility>
-#include <vector>
 
-#include "bench/statistics/statistics.h"
 #include "core/text/error.h"
 #include "core/scene/fractal.h"
 #include "flight/field/threads.h"
@@ -16,48 +14,31 @@
 namespace mandelmarch::bench {
 namespace {
 
-// Counts of one patch.
-struct BlockCount {
-    PixelCount pixels;
-    std::vector<LaneCount> lanes{};
-    std::uint64_t drawn = 0, steps = 0, iterations = 0;  // rendered pixels; steps of the march, and their DE iterations
+constexpr int block_side = 16;  // pixels
 
-    Operations operations() const { return std::accumulate(pixels.stages.begin(), pixels.stages.end(), Operations{}); }
-};
-
-Count together(const std::vector<BlockCount>& blocks, const CountOptions& options, bool every_pixel)
+// Calls each(column, row) for the pixels of a square patch inside the picture, along Morton's curve: each aligned group
+// of 2^n consecutive pixels fills a rectangle with as many columns as rows, or twice as many.
+template <class Each>
+void each_pixel(int first_column, int first_row, const Scene& scene, const Each& each)
 {
-    Count count;
-    std::vector<Part> by_iteration;
-    std::vector<Part> by_estimate;
-    for (const BlockCount& block : blocks) {
-        for (std::size_t i = 0; i < count.stages.size(); ++i)
-            count.stages[i] = count.stages[i] + block.pixels.stages[i];
-        count.work += block.pixels.work;
-        count.pixels += block.drawn;
-        count.hits += block.pixels.hits;
-        count.march_estimates += block.steps;
-        count.march_iterations += block.iterations;
-        by_iteration.push_back(
-            {static_cast<double>(block.operations().total()), static_cast<double>(block.pixels.work.iterations)});
-        by_estimate.push_back({static_cast<double>(block.iterations), static_cast<double>(block.steps)});
+    for (int at = 0; at < block_side * block_side; ++at) {
+        int column = first_column;
+        int row = first_row;
+        for (int bit = 0; 1 << bit < block_side; ++bit) {
+            column += (at >> 2 * bit & 1) << bit;
+            row += (at >> (2 * bit + 1) & 1) << bit;
+        }
+        if (column < scene.width && row < scene.height) each(column, row);
     }
-    for (std::size_t i = 0; i < options.lanes.size(); ++i) {
-        std::vector<LaneCount> of_blocks;
-        of_blocks.reserve(blocks.size());
-        for (const BlockCount& block : blocks) of_blocks.push_back(block.lanes[i]);
-        count.lane_use.push_back(LaneCount::use(of_blocks, every_pixel));
-    }
-    count.errors = CountErrors{};
-    if (!every_pixel) {
-        count.errors = {.per_iteration = ratio_of_sums(by_iteration).standard_error,
-                        .per_estimate = ratio_of_sums(by_estimate).standard_error};
-    }
-    return count;
 }
 
+struct BlockCount {
+    Count count;
+    std::vector<LaneCount> lanes;
+};
+
 template <class Real>
-Count counted(const Scene& scene, const CountOptions& options, std::span<const Block> blocks, bool every_pixel)
+Count counted(const Scene& scene, const CountOptions& options)
 {
     CountOperations<Real>* const count_pixel =
         operation_counter<Real>(fmt::format("{}_{}", scene.fractal->name, name_of(options.precision)));
@@ -65,44 +46,116 @@ Count counted(const Scene& scene, const CountOptions& options, std::span<const B
         throw Unavailable(fmt::format("no operations are counted for the {}", scene.fractal->name));
     }
     const auto kernel = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
-    std::vector<BlockCount> counts(blocks.size());
+    const auto columns = static_cast<std::size_t>((scene.width + block_side - 1) / block_side);
+    const auto rows = static_cast<std::size_t>((scene.height + block_side - 1) / block_side);
+    std::vector<BlockCount> blocks(columns * rows);
     parallel(blocks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
-        for (std::size_t block = first; block < last; ++block) {
-            BlockCount mine;
+        for (std::size_t i = first; i < last; ++i) {
+            Count& count = blocks[i].count;
+            PixelCount pixels;
             std::vector<RaySteps> rays;
-            each_pixel(blocks[block], scene.width, scene.height, [&](int column, int row) {
-                rays.push_back(count_pixel(kernel, column, row, mine.pixels));
-                mine.steps += rays.back().size();
-                for (const int iterations : rays.back()) mine.iterations += static_cast<unsigned>(iterations);
-            });
-            for (const int lanes : options.lanes) mine.lanes.emplace_back(lanes).add(rays);
-            mine.drawn = rays.size();
-            counts[block] = std::move(mine);
+            each_pixel(block_side * static_cast<int>(i % columns), block_side * static_cast<int>(i / columns), scene,
+                       [&](int column, int row) {
+                           rays.push_back(count_pixel(kernel, column, row, pixels));
+                           count.march_estimates += rays.back().size();
+                           for (const int iterations : rays.back())
+                               count.march_iterations += static_cast<unsigned>(iterations);
+                       });
+            count.stages = pixels.stages;
+            count.work = pixels.work;
+            count.hits = pixels.hits;
+            count.pixels = rays.size();
+            for (const int lanes : options.lanes) blocks[i].lanes.emplace_back(lanes).add(rays);
         }
     });
-    return together(counts, options, every_pixel);
+    BlockCount sum{{}, {options.lanes.begin(), options.lanes.end()}};
+    for (const BlockCount& block : blocks) {
+        sum.count += block.count;
+        for (std::size_t i = 0; i < sum.lanes.size(); ++i) sum.lanes[i].add(block.lanes[i]);
+    }
+    for (const LaneCount& lanes : sum.lanes) sum.count.lane_use.push_back(lanes.use());
+    return std::move(sum.count);
 }
 
 }  // namespace
 
-Count count_operations(const Scene& scene, const CountOptions& options)
+void LaneCount::march(std::span<const RaySteps> rays, Slots& slots) const
 {
-    if (std::int64_t{scene.width} * scene.height <= options.most_pixels)
-        return count_operations(scene, options, all_blocks(scene.width, scene.height), true);
-    CountOptions without_lanes = options;
-    without_lanes.lanes.clear();
-    Count count =
-        count_operations(scene, without_lanes, sample_of_pixels(scene.width, scene.height, options.most_pixels), false);
-    count.lane_use =
-        count_operations(scene, options, sample_of_blocks(scene.width, scene.height, options.most_pixels), false)
-            .lane_use;
-    return count;
+    struct Lane {
+        const RaySteps* ray = nullptr;
+        std::size_t step = 0;
+    };
+    const auto lanes = std::min(static_cast<std::size_t>(lanes_), rays.size());
+    std::vector<Lane> vector(lanes);
+    std::size_t next = 0;
+    for (;;) {
+        double active = 0;
+        int slowest = 0;
+        double done = 0;
+        for (Lane& lane : vector) {
+            while ((lane.ray == nullptr || lane.step == lane.ray->size()) && next < rays.size()) lane = {&rays[next++]};
+            if (lane.ray == nullptr || lane.step == lane.ray->size()) continue;
+            const int iterations = (*lane.ray)[lane.step++];
+            slowest = std::max(slowest, iterations);
+            done += iterations;
+            ++active;
+        }
+        if (active == 0) return;
+        slots.steps += static_cast<double>(lanes);
+        slots.steps_done += active;
+        slots.iterations += static_cast<double>(lanes) * slowest;
+        slots.iterations_done += done;
+    }
 }
 
-Count count_operations(const Scene& scene, const CountOptions& options, std::span<const Block> blocks, bool every_pixel)
+void LaneCount::add(std::span<const RaySteps> block)
 {
-    return options.precision == Precision::f32 ? counted<float>(scene, options, blocks, every_pixel)
-                                               : counted<double>(scene, options, blocks, every_pixel);
+    const auto lanes = static_cast<std::size_t>(lanes_);
+    for (std::size_t first = 0; first < block.size(); first += lanes)
+        march(block.subspan(first, std::min(lanes, block.size() - first)), together_);
+    march(block, refilled_);
+}
+
+void LaneCount::Slots::add(const Slots& other)
+{
+    steps += other.steps;
+    steps_done += other.steps_done;
+    iterations += other.iterations;
+    iterations_done += other.iterations_done;
+}
+
+ActiveLanes LaneCount::Slots::active() const
+{
+    return {steps > 0 ? steps_done / steps : 1, iterations > 0 ? iterations_done / iterations : 1};
+}
+
+void LaneCount::add(const LaneCount& other)
+{
+    together_.add(other.together_);
+    refilled_.add(other.refilled_);
+}
+
+LaneUse LaneCount::use() const { return {lanes_, together_.active(), refilled_.active()}; }
+
+Count& Count::operator+=(const Count& other)
+{
+    for (std::size_t i = 0; i < stages.size(); ++i) stages[i] = stages[i] + other.stages[i];
+    work += other.work;
+    pixels += other.pixels;
+    hits += other.hits;
+    march_estimates += other.march_estimates;
+    march_iterations += other.march_iterations;
+    return *this;
+}
+
+Count count_operations(const Scene& scene, const CountOptions& options)
+{
+    Scene smaller = scene;
+    const double pixels = static_cast<double>(scene.width) * scene.height;
+    const double scale = std::min(1.0, std::sqrt(static_cast<double>(options.most_pixels) / pixels));
+    smaller.width = std::max(1, static_cast<int>(scale * scene.width));
+    smaller.height = std::max(1, static_cast<int>(scale * scene.height));
+    return options.precision == Precision::f32 ? counted<float>(smaller, options) : counted<double>(smaller, options);
 }
 
 }  // namespace mandelmarch::bench

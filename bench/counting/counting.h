@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the arithmetic operations of a picture (core/instruments/operations.h).
+// Counts the arithmetic operations of a picture (core/instruments/operations.h), and the lanes of vectors and of GPU
+// warps that are active during the march.
 #pragma once
 
 #include <array>
@@ -9,17 +10,53 @@
 #include <span>
 #include <vector>
 
-#include "bench/counting/lanes.h"
-#include "bench/counting/sample.h"
 #include "core/render/backend.h"
 #include "core/instruments/operations.h"
 
 namespace mandelmarch::bench {
 
-// Standard errors of two ratios that are computed from a sample of the pixels; 0 if every pixel was counted.
-struct CountErrors {
-    double per_iteration = 0;  // of Count::per_iteration()
-    double per_estimate = 0;   // of Count::march_iterations / Count::march_estimates
+// Fractions of lanes that are active, 0 to 1: the average over all steps that vectors take, and the average over all
+// their DE iterations. A step of a vector takes as many iterations as its slowest lane; a lane that needs fewer is
+// inactive in the remaining ones.
+struct ActiveLanes {
+    double in_steps = 1, in_iterations = 1;
+};
+
+struct LaneUse {
+    int lanes = 0;
+    ActiveLanes together;  // without refill: the pixels of a vector march together until the last of them is done
+    // With refill: as soon as a lane's ray has ended, the lane takes the next pixel of the patch (persistent threads;
+    // Aila and Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). nullopt: unknown.
+    std::optional<ActiveLanes> refilled;
+};
+
+// Counts the lane slots of vectors, and how many of them are active. A lane slot is one lane during one step, or one
+// iteration, of its vector.
+class LaneCount {
+public:
+    explicit LaneCount(int lanes) : lanes_(lanes) {}
+
+    // Adds the rays of a patch; consecutive rays belong to neighbouring pixels.
+    void add(std::span<const RaySteps> block);
+    // Adds the slots of other patches, for vectors of the same length.
+    void add(const LaneCount& other);
+
+    LaneUse use() const;
+
+private:
+    struct Slots {
+        double steps = 0, steps_done = 0, iterations = 0, iterations_done = 0;
+
+        void add(const Slots& other);
+        ActiveLanes active() const;
+    };
+
+    // Marches the rays in one vector and adds its lane slots to `slots`. A lane whose ray has ended takes the next
+    // waiting ray.
+    void march(std::span<const RaySteps> rays, Slots& slots) const;
+
+    int lanes_;
+    Slots together_, refilled_;
 };
 
 struct Count {
@@ -31,8 +68,8 @@ struct Count {
     // neighbours and form a square, or a rectangle with twice as many columns as rows.
     std::vector<LaneUse> lane_use;
     std::uint64_t march_estimates = 0, march_iterations = 0;  // DE evaluations and DE iterations of the march alone
-    std::optional<CountErrors> errors;                        // nullopt: unknown
 
+    Count& operator+=(const Count& other);  // adds everything but lane_use
     Operations all() const { return std::accumulate(stages.begin(), stages.end(), Operations{}); }
     // Returns all operations / all DE iterations; 0 if there are no iterations.
     double per_iteration() const
@@ -46,18 +83,11 @@ struct CountOptions {
     Mode mode = Mode::exact;
     Techniques techniques = {};
     std::vector<int> lanes = {16, 32};  // lengths of the vectors or warps for which lane utilisation is computed
-    // If a picture has more pixels than this, only about this many are counted: single pixels for operations, patches
-    // of neighbouring pixels for lane utilisation.
-    std::int64_t most_pixels = 40'000;
+    std::int64_t most_pixels = 600 * 600;
 };
 
-// Counts the operations of a picture, or of a sample of its pixels. Throws Unavailable if there is no counting kernel
-// for the fractal.
+// Counts the operations of a picture or, if it has more than options.most_pixels pixels, of a smaller picture of the
+// same view. Throws Unavailable if there is no counting kernel for the fractal.
 Count count_operations(const Scene& scene, const CountOptions& options);
-
-// Counts only the given patches. Patches that are neighbours in the list must lie close together in the picture.
-// `every_pixel`: true if the patches cover the whole picture; standard errors are then 0.
-Count count_operations(const Scene& scene, const CountOptions& options, std::span<const Block> blocks,
-                       bool every_pixel);
 
 }  // namespace mandelmarch::bench

@@ -169,7 +169,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
             fmt::format("--scene with --study {} given, whose scenes differ, expected one of them", study.name));
     }
     const bool baselines = study.baselines;
-    const auto asked = [&](const Backend& backend) { return options.selects(backend.name()); };
+    const auto selected = [&](const Backend& backend) { return options.selects(backend.name()); };
     std::vector<const Backend*> backends;
     std::map<const Backend*, std::vector<Device>> devices;
     std::vector<Case> without_device;
@@ -177,12 +177,12 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
         const BackendInfo info = backend->info();
         // Include the baselines even if --backend does not name them, because speed-ups are computed from them.
         const bool baseline = baselines && (info.role == Role::reference || info.role == Role::host);
-        if ((!asked(*backend) && !baseline) || !study.measures(info)) continue;
+        if ((!selected(*backend) && !baseline) || !study.measures(info)) continue;
         Listing listing = listing_of(*backend);
         if (!listing.devices.empty()) {
             backends.push_back(backend.get());
             devices[backend.get()] = std::move(listing.devices);
-        } else if (asked(*backend)) {
+        } else if (selected(*backend)) {
             without_device.push_back(missing(*backend, std::move(listing)));
         }
     }
@@ -213,7 +213,7 @@ std::vector<Case> cases_of(const Registry& registry, const Options& options)
         const bool again =
             one.row.precision != options.precisions.front() || one.row.mode != options.selected_modes().front();
         return (one.backend->info().foreign && (again || !one.row.setting.without.empty())) ||
-               !(asked(*one.backend) || is_baseline(one)) || !study.keeps(one) || !chosen(one.row.name());
+               !(selected(*one.backend) || is_baseline(one)) || !study.keeps(one) || !chosen(one.row.name());
     });
     for (Case& one : cases) realise(one, options);
     cases.insert(cases.end(), without_device.begin(), without_device.end());

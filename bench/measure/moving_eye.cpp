@@ -20,15 +20,6 @@ constexpr double least_change = 0.1;
 
 }  // namespace
 
-void MovingEye::group(std::vector<TimedCase*>& order) const
-{
-    for (auto first = order.begin(); first != order.end();) {
-        first = std::stable_partition(first, order.end(), [&, of = (*first)->one](const TimedCase* other) {
-            return pictures_.same(*of, *other->one);
-        });
-    }
-}
-
 std::size_t MovingEye::group_of(const Case& one)
 {
     const auto found = std::ranges::find_if(groups_, [&](const Group& group) { return pictures_.same(group.of, one); });

@@ -19,8 +19,10 @@ public:
     // Moves the eye of all scenes, in an unpredictable direction, for the next round.
     void next_round() { views_.clear(); }
 
-    // Sorts configurations, so that those with the same expected picture follow each other. Keeps the order otherwise.
-    void group(std::vector<TimedCase*>& order) const;
+    void group(std::vector<TimedCase*>& order) const
+    {
+        pictures_.group(order, [](const TimedCase* row) -> const Case& { return *row->one; });
+    }
 
     // Returns the configuration with this round's view. Its picture differs visibly from that of the configuration's
     // own scene; if all nearby views look like it, adds a warning.

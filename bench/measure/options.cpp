@@ -31,9 +31,12 @@ std::vector<std::string> parse_backends(Registry& registry, std::string_view tex
     return names;
 }
 
-std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all)
+void add_fractal(CLI::App& app, std::vector<const Fractal*>& fractals, const std::string& about)
 {
-    return text == "all" ? std::move(all) : std::vector{&fractal_named(text)};
+    const auto set = [&fractals](const std::string& text) {
+        if (text != "all") fractals = {&fractal_named(text)};
+    };
+    app.add_option_function<std::string>("--fractal", set, about)->default_str("all");
 }
 
 void add_devices(CLI::App& app, Registry& registry, Options& options)
@@ -56,11 +59,9 @@ void add_devices(CLI::App& app, Registry& registry, Options& options)
 void add_selection(CLI::App& app, Registry& registry, Options& options)
 {
     add_devices(app, registry, options);
-    app.add_option_function<std::string>(
-           "--fractal", [&](const std::string& text) { options.fractals = parse_fractals(text, default_fractals()); },
-           fmt::format("fractal to measure: all ({}), or one name",
-                       fmt::join(mapped(default_fractals(), &Fractal::short_name), " and ")))
-        ->default_str("all");
+    add_fractal(app, options.fractals,
+                fmt::format("fractal to measure: all ({}), or one name",
+                            fmt::join(mapped(default_fractals(), &Fractal::short_name), " and ")));
     app.add_option_function<std::string>(
            "--mode",
            [&](const std::string& text) {

@@ -42,8 +42,8 @@ struct Options {
 // unknown name.
 std::vector<std::string> parse_backends(Registry& registry, std::string_view text);
 
-// Parses a fractal's name. Returns that fractal, or `all` for the text "all".
-std::vector<const Fractal*> parse_fractals(std::string_view text, std::vector<const Fractal*> all);
+// Declares --fractal, which replaces `fractals` by one of a given name, unless that is "all".
+void add_fractal(CLI::App& app, std::vector<const Fractal*>& fractals, const std::string& about);
 
 // Declares --backend and --precision, which set members of `options`.
 void add_devices(CLI::App& app, Registry& registry, Options& options);

@@ -9,6 +9,7 @@
 #include "bench/measure/interruption.h"
 #include "bench/measure/cases.h"
 #include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {
@@ -16,60 +17,40 @@ namespace {
 constexpr double near_enough = 0.05;
 constexpr int most_repeats = 3;  // further measurements of a doubtful peak
 
-// Returns the second highest rate; 0 if there is none.
-double second(const std::vector<Peak>& peaks) { return peaks.size() < 2 ? 0 : peaks[1].rate; }
-
-bool is_doubtful(const std::vector<Peak>& peaks) { return second(peaks) < (1 - near_enough) * peaks.front().rate; }
+std::ptrdiff_t count_of(const std::vector<Peak>& measured, const Peak& device, double least_rate)
+{
+    return std::ranges::count_if(measured,
+                                 [&](const Peak& peak) { return peak.same_device(device) && peak.rate >= least_rate; });
+}
 
 }  // namespace
 
-void PeakRecord::add(const std::vector<Peak>& peaks)
-{
-    for (const Peak& peak : peaks) {
-        auto same = std::ranges::find_if(
-            measured_, [&](const std::vector<Peak>& known) { return known.front().same_device(peak); });
-        if (same == measured_.end()) same = measured_.insert(same, std::vector<Peak>());
-        same->insert(std::ranges::lower_bound(*same, peak.rate, std::greater(), &Peak::rate), peak);
-    }
-}
-
-std::vector<Peak> PeakRecord::best() const
+std::vector<Peak> doubtful(const std::vector<Peak>& measured)
 {
     std::vector<Peak> found;
-    for (const std::vector<Peak>& peaks : measured_) found.push_back(peaks.front());
+    raise_peaks(found, measured);
+    std::erase_if(found, [&](const Peak& best) { return count_of(measured, best, (1 - near_enough) * best.rate) > 1; });
     return found;
 }
 
-std::vector<Peak> PeakRecord::doubtful() const
+std::vector<std::string> peak_warnings(const std::vector<Peak>& measured)
 {
-    std::vector<Peak> found;
-    for (const std::vector<Peak>& peaks : measured_) {
-        if (is_doubtful(peaks)) found.push_back(peaks.front());
-    }
-    return found;
-}
-
-std::vector<std::string> PeakRecord::warnings() const
-{
-    std::vector<std::string> found;
-    for (const std::vector<Peak>& peaks : measured_) {
-        if (!is_doubtful(peaks)) continue;
-        const Peak& best = peaks.front();
-        found.push_back(fmt::format("peak: {} {}, {}: {:.1f} GFLOP/s is the best of {}, the next is {:.1f}",
-                                    best.backend, best.device, name_of(best.precision), 1e-9 * best.rate, peaks.size(),
-                                    1e-9 * second(peaks)));
-    }
-    return found;
+    return mapped(doubtful(measured), [&](const Peak& best) {
+        return fmt::format(
+            "peak: {} {}, {}: one of {} measurements reached {:.1f} GFLOP/s, all others stay below {:.0f} %",
+            best.backend, best.device, name_of(best.precision), count_of(measured, best, 0), 1e-9 * best.rate,
+            100 * (1 - near_enough));
+    });
 }
 
 std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
                                 const std::function<bool(const Peak&)>& wanted)
 {
-    struct Asked {
+    struct Measured {
         const Backend* backend;
         Peak peak;
     };
-    std::vector<Asked> asked;
+    std::vector<Measured> all;
     for (const auto& backend : registry.backends()) {
         // Any backend may reach the highest peak of a device. Therefore all backends are measured, including those that
         // are not timed.
@@ -77,18 +58,18 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
         for (const Device& device : listing_of(*backend).devices) {
             for (const Precision precision : options.precisions) {
                 Peak peak{platform_of(device), std::string(backend->name()), index, precision, 0};
-                if (wanted(peak)) asked.push_back({backend.get(), std::move(peak)});
+                if (wanted(peak)) all.push_back({backend.get(), std::move(peak)});
             }
             ++index;
         }
     }
     std::vector<Peak> peaks;
-    for (std::size_t i = 0; i < asked.size() && interrupted() == 0; ++i) {
-        Peak& peak = asked[i].peak;
-        phase({"multiply-add peaks", static_cast<double>(i) / static_cast<double>(asked.size()),
+    for (std::size_t i = 0; i < all.size() && interrupted() == 0; ++i) {
+        Peak& peak = all[i].peak;
+        phase({"multiply-add peaks", static_cast<double>(i) / static_cast<double>(all.size()),
                fmt::format("{} {}", peak.backend, name_of(peak.precision))});
         try {
-            const auto rate = asked[i].backend->multiply_add_peak({.device = peak.device, .precision = peak.precision});
+            const auto rate = all[i].backend->multiply_add_peak({.device = peak.device, .precision = peak.precision});
             if (!rate) continue;
             peak.rate = *rate;
             peaks.push_back(std::move(peak));
@@ -99,16 +80,15 @@ std::vector<Peak> measure_peaks(const Registry& registry, const Options& options
     return peaks;
 }
 
-PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again)
+std::vector<Peak> settled_peaks(std::vector<Peak> measured, const PeakMeasurement& again)
 {
     for (int i = 0; i < most_repeats; ++i) {
-        const std::vector<Peak> doubtful = record.doubtful();
-        if (doubtful.empty()) break;
-        record.add(again([&](const Peak& peak) {
-            return std::ranges::any_of(doubtful, [&](const Peak& d) { return d.same_device(peak); });
-        }));
+        const std::vector<Peak> open = doubtful(measured);
+        if (open.empty()) break;
+        for (const Peak& peak : again([&](const Peak& peak) { return count_of(open, peak, 0) > 0; }))
+            measured.push_back(peak);
     }
-    return record;
+    return measured;
 }
 
 }  // namespace mandelmarch::bench

@@ -10,26 +10,13 @@
 
 namespace mandelmarch::bench {
 
-// Record of all measured peaks. Disturbances only lower a rate, and rarely twice by the same amount. A highest rate is
-// therefore doubtful if no second measurement is close to it.
-class PeakRecord {
-public:
-    void add(const std::vector<Peak>& peaks);
+// Returns the doubtful ones of the highest rates of each backend, device and precision. Disturbances only lower a rate,
+// and rarely twice by the same amount. A highest rate is therefore doubtful if no second measurement is within 5 % of
+// it.
+std::vector<Peak> doubtful(const std::vector<Peak>& measured);
 
-    // Returns the highest rate of each backend, device and precision.
-    std::vector<Peak> best() const;
-
-    // Returns the doubtful peaks: the highest rate of each backend, device and precision if it was measured only once,
-    // or if the second highest rate is more than 5 % below it.
-    std::vector<Peak> doubtful() const;
-
-    // Returns a warning for each doubtful peak.
-    std::vector<std::string> warnings() const;
-
-private:
-    // One list for each backend, device and precision, the highest rate first.
-    std::vector<std::vector<Peak>> measured_;
-};
+// Returns a warning for each doubtful peak.
+std::vector<std::string> peak_warnings(const std::vector<Peak>& measured);
 
 // Measures the multiply-add peak of every device in the selected precisions. Backends without a peak kernel are left
 // out. Before each measurement, calls wanted() with the peak, whose rate is still 0; if wanted() returns false, the
@@ -38,9 +25,8 @@ inline bool every_peak(const Peak&) { return true; }
 std::vector<Peak> measure_peaks(const Registry& registry, const Options& options, const Phase& phase,
                                 const std::function<bool(const Peak&)>& wanted = every_peak);
 
-// Measures doubtful peaks again by calling `again`, at most three times. Returns the record with the added
-// measurements.
+// Measures doubtful peaks again by calling `again`, at most three times. Returns all measurements.
 using PeakMeasurement = std::function<std::vector<Peak>(const std::function<bool(const Peak&)>& wanted)>;
-PeakRecord settled_peaks(PeakRecord record, const PeakMeasurement& again);
+std::vector<Peak> settled_peaks(std::vector<Peak> measured, const PeakMeasurement& again);
 
 }  // namespace mandelmarch::bench

@@ -9,6 +9,7 @@
 #include "bench/result/figures.h"
 #include "bench/measure/interruption.h"
 #include "bench/measure/moving_eye.h"
+#include "bench/measure/telemetry.h"
 #include "bench/measure/verify.h"
 #include "core/text/error.h"
 #include "core/os/stopwatch.h"
@@ -19,20 +20,54 @@ namespace {
 // Seconds. If a picture takes less, it is rendered once without timing before it is timed. The first rendering wakes
 // the threads, fills the caches and raises the clock frequency after the previous configuration.
 constexpr double warmed_below = 0.1;
+// Seconds. A picture that takes longer is rendered only once, for verification.
+constexpr double long_picture = 4;
+constexpr int least_rounds = 6;  // fewer give no 95 % interval of a median
+constexpr double narrow =
+    0.02;  // half width of a 95 % interval, relative to the median; below it, a configuration is done
 
-bool narrow_enough(const Row& row, double half_width)
+bool narrow_enough(const Row& row)
 {
     const auto reached = summary(kernel_times(row)).half_width();
-    return reached && *reached < half_width;
+    return reached && *reached < narrow;
+}
+
+// Takes one sample: one picture of the scene, or setting.frames pictures from a fresh renderer. Throws what the backend
+// throws.
+Sample draw_sample(TimedCase& row, const Scene& scene, Image& image, Telemetry& telemetry)
+{
+    const Case& one = *row.one;
+    const int frames = one.row.setting.frames;
+    // Not the scene of this sample, whose picture a program might keep.
+    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
+    // Overwrite the image. Otherwise, if a backend did not write its pixels, the previous configuration's picture would
+    // pass for its own.
+    std::ranges::fill(image.bytes(), std::uint8_t{0x55});
+    Sample sample;
+    const std::optional<double> before = telemetry.joules();
+    if (frames == 0) {
+        sample.add(row.renderer->render(scene, image).timings);
+    } else {
+        const auto start = Clock::now();
+        const auto renderer = one.backend->create(one.options);
+        for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(scene, image).timings);
+        sample.wall = seconds_since(start);
+        for (double Sample::*part :
+             {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
+            sample.*part /= frames;
+        }
+    }
+    if (before) sample.joules = (telemetry.joules().value_or(*before) - *before) / std::max(1, frames);
+    return sample;
 }
 
 class Rounds {
 public:
-    Rounds(std::vector<TimedCase>& rows, const Rules& rules, MovingEye* eye)
+    Rounds(std::vector<TimedCase>& rows, const Options& options, MovingEye* eye)
         : rows_(rows),
-          rules_(rules),
+          options_(options),
           eye_(eye),
-          random_(rules.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(rules.run))
+          random_(options.seed + std::uint64_t{7919} * static_cast<std::uint64_t>(options.run))
     {
     }
 
@@ -61,12 +96,12 @@ private:
         return order;
     }
 
-    int most() const { return rules_.repetitions.value_or(rules_.most); }
+    int most() const { return options_.repetitions.value_or(options_.study->most_rounds); }
 
     void draw(const std::vector<TimedCase*>& order, int round, const Phase& phase)
     {
         const std::string text =
-            fmt::format("round {} of {}{}", round + 1, rules_.repetitions ? "" : "at most ", most());
+            fmt::format("round {} of {}{}", round + 1, options_.repetitions ? "" : "at most ", most());
         for (std::size_t i = 0; i < order.size(); ++i) {
             if (interrupted() != 0) return;
             if (!out_of_time() || order[i]->one->row.samples.empty()) draw(*order[i], round);
@@ -81,13 +116,13 @@ private:
         try {
             const Scene& scene = eye_ == nullptr ? live.one->scene : eye_->view_of(*live.one).scene;
             Image& image = image_for(live);
-            Sample sample = draw_sample(live, scene, image);
+            Sample sample = draw_sample(live, scene, image, telemetry_);
             const std::string fault = eye_ != nullptr ? eye_->fault_of(*live.one, image)
                                       : fingerprint(image) == live.fingerprint
                                           ? ""
                                           : "the timed picture differs from the verified one";
             if (!fault.empty()) throw Error(fault);
-            sample.run = rules_.run;
+            sample.run = options_.run;
             sample.round = round;
             live.spent += sample.wall;
             row.samples.push_back(sample);
@@ -99,24 +134,24 @@ private:
         }
     }
 
-    bool out_of_time() const { return !rules_.repetitions && seconds_since(start_) > rules_.budget; }
+    bool out_of_time() const { return !options_.repetitions && seconds_since(start_) > options_.budget.value(); }
 
     bool finished(const TimedCase& live) const
     {
-        if (rules_.repetitions) return false;
+        if (options_.repetitions) return false;
         const Row& row = live.one->row;
-        if (out_of_time() || live.spent > rules_.row_budget) return true;
-        return static_cast<int>(row.samples.size()) >= rules_.least && narrow_enough(row, rules_.half_width);
+        if (out_of_time() || live.spent > options_.study->row_budget) return true;
+        return static_cast<int>(row.samples.size()) >= least_rounds && narrow_enough(row);
     }
 
     // Returns the completed fraction of the work. If the number of rounds is fixed, this is the fraction of the rounds;
     // else it is the largest of three fractions: of the rounds, of the configurations, and of the time budget.
     double share(double of_rounds) const
     {
-        if (rules_.repetitions) return of_rounds;
+        if (options_.repetitions) return of_rounds;
         const auto done = std::ranges::count_if(rows_, &TimedCase::done);
         const double of_rows = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rows_.size()));
-        return std::min(1.0, std::max({of_rounds, of_rows, seconds_since(start_) / rules_.budget}));
+        return std::min(1.0, std::max({of_rounds, of_rows, seconds_since(start_) / options_.budget.value()}));
     }
 
     Image& image_for(const TimedCase& live)
@@ -129,63 +164,30 @@ private:
     }
 
     std::vector<TimedCase>& rows_;
-    const Rules& rules_;
+    const Options& options_;
     MovingEye* eye_;
     std::mt19937_64 random_;
     Clock::time_point start_ = Clock::now();
+    Telemetry telemetry_;
     Image image_;
 };
 
 }  // namespace
 
-Sample draw_sample(TimedCase& row, const Scene& scene, Image& image)
+void keep_long_pictures(std::vector<TimedCase>& rows, const Options& options)
 {
-    const Case& one = *row.one;
-    const int frames = one.row.setting.frames;
-    // Not the scene of this sample, whose picture a program might keep.
-    if (frames == 0 && row.expected < warmed_below) row.renderer->render(one.scene, image);
-    // Overwrite the image. Otherwise, if a backend did not write its pixels, the previous configuration's picture would
-    // pass for its own.
-    std::ranges::fill(image.bytes(), std::uint8_t{0x55});
-    Sample sample;
-    if (frames == 0) {
-        sample.add(row.renderer->render(scene, image).timings);
-    } else {
-        const auto start = Clock::now();
-        const auto renderer = one.backend->create(one.options);
-        for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(scene, image).timings);
-        sample.wall = seconds_since(start);
-        for (double Sample::*part :
-             {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
-            sample.*part /= frames;
-        }
-    }
-    return sample;
-}
-
-Rules rules_of(const Options& options)
-{
-    return {.repetitions = options.repetitions,
-            .row_budget = options.study->row_budget,
-            .most = options.study->most_rounds,
-            .seed = options.seed,
-            .run = options.run};
-}
-
-void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules)
-{
-    if (rules.repetitions) return;
+    if (options.repetitions) return;
     for (TimedCase& live : rows) {
-        if (live.expected <= rules.long_picture) continue;
-        live.one->row.samples.push_back({.run = rules.run});
+        if (live.expected <= long_picture) continue;
+        live.one->row.samples.push_back({.run = options.run});
         live.one->row.samples.back().add(live.first.timings);
         live.done = true;
     }
 }
 
-void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase, MovingEye* eye)
+void run_rounds(std::vector<TimedCase>& rows, const Options& options, const Phase& phase, MovingEye* eye)
 {
-    Rounds(rows, rules, eye).run(phase);
+    Rounds(rows, options, eye).run(phase);
 }
 
 }  // namespace mandelmarch::bench

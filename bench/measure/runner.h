@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,33 +35,15 @@ struct TimedCase {
     bool done = false;
 };
 
-struct Rules {
-    std::optional<int> repetitions;  // exact number of rounds
-    double budget = 75;              // seconds for the rounds of all configurations
-    double row_budget = 8;           // seconds for the rounds of one configuration
-    double long_picture = 4;         // seconds: a picture that takes longer is rendered only once, for verification
-    int least = 6;                   // rounds; fewer give no 95 % interval of a median
-    int most = 40;
-    double half_width = 0.02;  // of a 95 % interval, relative to the median; below it, a configuration is done
-    std::uint64_t seed = 1;
-    int run = 0;
-};
-
-// Returns the rules that follow from the options and their study.
-Rules rules_of(const Options& options);
-
-// If a configuration's picture takes longer than rules.long_picture, marks the configuration as done and takes the
-// verified picture as its only sample. Does nothing if rules.repetitions is given.
-void keep_long_pictures(std::vector<TimedCase>& rows, const Rules& rules);
+// If a configuration's picture takes long, marks the configuration as done and takes the verified picture as its only
+// sample. Does nothing if options.repetitions is given.
+void keep_long_pictures(std::vector<TimedCase>& rows, const Options& options);
 
 class MovingEye;
 
 // Renders the rounds and adds the samples to the configurations. If a backend throws, or a picture differs from the
-// verified one, its configuration fails and loses its samples. `eye`: if not null, each round has other views.
-void run_rounds(std::vector<TimedCase>& rows, const Rules& rules, const Phase& phase, MovingEye* eye = nullptr);
-
-// Takes one sample: one picture of the scene, or setting.frames pictures from a fresh renderer. Throws what the backend
-// throws.
-Sample draw_sample(TimedCase& row, const Scene& scene, Image& image);
+// verified one, its configuration fails and loses its samples. `options`: budget and repetitions are not both unset.
+// `eye`: if not null, each round has other views.
+void run_rounds(std::vector<TimedCase>& rows, const Options& options, const Phase& phase, MovingEye* eye = nullptr);
 
 }  // namespace mandelmarch::bench

@@ -17,6 +17,8 @@
 #include "core/text/text.h"
 
 namespace mandelmarch::bench {
+namespace {
+
 Result merged(std::vector<Result> results)
 {
     Result all = std::move(results.front());
@@ -39,6 +41,8 @@ Result merged(std::vector<Result> results)
     all.runs += static_cast<int>(results.size()) - 1;
     return derived(std::move(all));
 }
+
+}  // namespace
 
 Result with_further_runs(Result first, int count, const RunProcess& run)
 {
@@ -66,7 +70,7 @@ Result run_again(const std::vector<std::string>& arguments, int run)
     // Start this program again, under the name by which it was called.
     std::vector<std::string> words{program_invocation_name};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    words.insert(words.end(), {"--quiet", "--json", "-", "--run", std::to_string(run)});
+    words.insert(words.end(), {"--run", std::to_string(run)});
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     ChildProcess child({.words = std::move(words), .program = program, .output = file.number()});
     while (!child.ends_within(interrupted() != 0 ? ChildProcess::no_limit : 0.1)) {

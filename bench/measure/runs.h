@@ -13,17 +13,14 @@ namespace mandelmarch::bench {
 // Executes the run with this number and returns its result. Throws Error if the run has no result.
 using RunProcess = std::function<Result(int run)>;
 
-// Merges the results of several runs: keeps the samples and warnings of all runs and the highest peaks, and takes
-// everything else from the first run. A configuration that fails in any run fails in the merged result.
-Result merged(std::vector<Result> results);
-
 // Executes runs until there are `count`, or until Ctrl+C, and merges their results with `first`, the result of the
-// earlier ones. For a run without a result,
-// adds a warning and prints a line on stderr. Result::runs is the number of runs with a result.
+// earlier ones: keeps the samples and warnings of all runs and the highest peaks, and takes everything else from the
+// first. A configuration that fails in any run fails in the merged result. For a run without a result, adds a warning
+// and prints a line on stderr. Result::runs is the number of runs with a result.
 Result with_further_runs(Result first, int count, const RunProcess& run);
 
-// Starts this program with the given arguments and `--run N --json - --quiet`, where N is `run`, and parses its output.
-// Throws Error if the process writes no result.
+// Starts this program with the given arguments and `--run N`, where N is `run`, and parses the result that it prints.
+// Throws Error if the process prints no result.
 Result run_again(const std::vector<std::string>& arguments, int run);
 
 }  // namespace mandelmarch::bench

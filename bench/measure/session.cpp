@@ -43,9 +43,7 @@ void count_all(std::vector<TimedCase>& rows, Result& result, const Phase& phase)
                             row.fractal, row.precision, row.mode, row.setting};
             found = result.counts.insert(result.counts.end(), std::move(counted));
         }
-        const auto iterations = static_cast<double>(row.work.iterations);
-        row.operations = found->per_iteration() * iterations;
-        if (found->errors) row.operations_error = found->errors->per_iteration * iterations;
+        row.operations = found->per_iteration() * static_cast<double>(row.work.iterations);
     }
 }
 
@@ -67,34 +65,32 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     }
 
     const auto start = Clock::now();
-    Rules rules = rules_of(options);
     std::vector<TimedCase> live = verified_cases(cases, registry, phase);
-    keep_long_pictures(live, rules);
+    keep_long_pictures(live, options);
     if (options.study->counts) count_all(live, result, phase);
     const PeakMeasurement peaks = [&](const auto& wanted) {
         const bool measured = options.peaks && options.study->peaks;
         return measured ? measure_peaks(registry, options, phase, wanted) : std::vector<Peak>();
     };
-    PeakRecord record;
-    record.add(peaks(every_peak));
+    std::vector<Peak> measured = peaks(every_peak);
     const double spent = seconds_since(start);
-    rules.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
-    const Telemetry telemetry;
+    Options limited = options;
+    limited.budget = options.budget.value_or(std::clamp(whole_budget - spent, least_budget, usual_budget));
     const bool replays = std::ranges::any_of(live, [](const TimedCase& c) { return c.one->backend->info().replays; });
     MovingEye eye(registry);
     result.moved_eye = options.move_eye || replays;
     const Interruption interruption;
-    run_rounds(live, rules, phase, result.moved_eye ? &eye : nullptr);
-    const nlohmann::ordered_json told = telemetry.since_start();
+    run_rounds(live, limited, phase, result.moved_eye ? &eye : nullptr);
+    const nlohmann::ordered_json gpus = Telemetry().gpus();
     // Measure the peaks again. If the machine was slower before the rounds, the first peaks are too low, and the shares
     // of peak would be too high.
     if (interrupted() == 0) {
-        record.add(peaks(every_peak));
-        record = settled_peaks(std::move(record), peaks);
+        for (const Peak& peak : peaks(every_peak)) measured.push_back(peak);
+        measured = settled_peaks(std::move(measured), peaks);
     }
-    result.peaks = record.best();
+    raise_peaks(result.peaks, measured);
     for (Case& one : cases) result.rows.push_back(std::move(one.row));
-    result.warnings = record.warnings();
+    result.warnings = peak_warnings(measured);
     for (const std::string& warning : eye.warnings()) result.warnings.push_back(warning);
     if (!environment_variable("MANDELMARCH_REHEARSAL").empty()) {  // packaging/gpu_check
         result.warnings.emplace(result.warnings.begin(), "a rehearsal: a device called a GPU may not be one");
@@ -102,7 +98,7 @@ Result measure(const Registry& registry, const Options& options, const Phase& ph
     if (interrupted() != 0) result.warnings.emplace_back("incomplete: the rounds were interrupted");
     for (std::string& warning : steadiness.warnings(result)) result.warnings.push_back(std::move(warning));
     result.environment["during"] = steadiness.during();
-    result.environment["telemetry"] = told;
+    result.environment["telemetry"]["gpus"] = gpus;
     return derived(std::move(result));
 }
 

@@ -170,45 +170,38 @@ nlohmann::ordered_json Steadiness::during() const
 std::vector<std::string> Steadiness::warnings(const Result& result) const
 {
     std::vector<std::string> found;
+    const auto warn = [&](bool doubtful, const std::string& text) {
+        if (doubtful) found.push_back(text);
+    };
     const nlohmann::ordered_json now = during();
     const Cores mine = mandelmarch::cores();
     const double cores = mine.machine;  // all cores, because the load is that of the whole machine
-    if (start_.load > much_load * cores) {
-        found.push_back(
-            fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));
-    }
-    if (const double others = now["others_share"]; others > much_other) {
-        found.push_back(
-            fmt::format("load: other processes took {:.0f} % of the processors during the measurement", 100 * others));
-    }
-    if (const double stolen = now["stolen_share"]; stolen > much_stolen) {
-        found.push_back(fmt::format("load: the hypervisor took {:.0f} % of the processors away", 100 * stolen));
-    }
-    if (const std::uint64_t throttled = now["throttled_periods"]; throttled > 0) {
-        found.push_back(fmt::format("quota: the program was stopped in {} of {} periods", throttled,
+    warn(start_.load > much_load * cores,
+         fmt::format("load: {:.1f} threads were running on {} cores before the start", start_.load, cores));
+    const double others = now["others_share"];
+    warn(others > much_other,
+         fmt::format("load: other processes took {:.0f} % of the processors during the measurement", 100 * others));
+    const double stolen = now["stolen_share"];
+    warn(stolen > much_stolen, fmt::format("load: the hypervisor took {:.0f} % of the processors away", 100 * stolen));
+    const std::uint64_t throttled = now["throttled_periods"];
+    warn(throttled > 0, fmt::format("quota: the program was stopped in {} of {} periods", throttled,
                                     now["quota_periods"].get<std::uint64_t>()));
-    } else if (mine.quota && *mine.quota < mine.given) {
-        found.push_back(
-            fmt::format("quota: {:.2g} cores' processor time is allowed on {} cores", *mine.quota, mine.given));
-    }
-    if (const std::string bound = binding(); !bound.empty()) {
-        found.push_back(
-            fmt::format("binding: {} binds OpenMP's threads to cores; other backends' threads may run on all {} cores",
-                        bound, mine.given));
-    }
-    if (const std::string unlike = unlike_threads(result); !unlike.empty()) {
-        found.push_back(fmt::format("threads: the CPU backends used different numbers of threads: {}", unlike));
-    }
+    warn(throttled == 0 && mine.quota && *mine.quota < mine.given,
+         fmt::format("quota: {:.2g} cores' processor time is allowed on {} cores", mine.quota.value_or(0), mine.given));
+    warn(!binding().empty(),
+         fmt::format("binding: {} binds OpenMP's threads to cores; other backends' threads may run on all {} cores",
+                     binding(), mine.given));
+    const std::string unlike = unlike_threads(result);
+    warn(!unlike.empty(), "threads: the CPU backends used different numbers of threads: " + unlike);
     const double before = start_.frequency;
     const double after = now["megahertz_at_end"];
-    if (before > 0 && std::abs(after - before) > much_drift * before) {
-        found.push_back(fmt::format("frequency: the clock went from {:.0f} to {:.0f} MHz", before, after));
-    }
+    warn(before > 0 && std::abs(after - before) > much_drift * before,
+         fmt::format("frequency: the clock went from {:.0f} to {:.0f} MHz", before, after));
     const std::string governor = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
-    if (!governor.empty() && governor != "performance") {
-        found.push_back(fmt::format("frequency: the governor is {}, not performance", governor));
-    }
-    if (const std::string spread = spread_of(result); !spread.empty()) found.push_back(spread);
+    warn(!governor.empty() && governor != "performance",
+         fmt::format("frequency: the governor is {}, not performance", governor));
+    const std::string spread = spread_of(result);
+    warn(!spread.empty(), spread);
     return found;
 }
 

@@ -4,24 +4,17 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cstring>
 #include <fstream>
-#include <memory>
-#include <optional>
 #include <utility>
 
-#include "bench/result/gpu_reading.h"
 #include "core/os/files.h"
-#include "core/os/stopwatch.h"
 
 namespace mandelmarch::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+using Json = nlohmann::ordered_json;
 
 std::optional<double> number_in(const fs::path& path)
 {
@@ -30,17 +23,12 @@ std::optional<double> number_in(const fs::path& path)
     return file >> value ? std::optional(value) : std::nullopt;
 }
 
-Json missing(const std::string& why) { return {{"missing", why}}; }
-
-struct GpuReadings {
-    std::vector<GpuReading> gpus;  // joules: since the driver was loaded
-    std::string missing;           // why there are no GPUs; empty if there are some
-};
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 // Declarations from NVML's API reference. With them, the build does not need NVML's header.
 using GpuHandle = void*;
 constexpr int success = 0;
-constexpr unsigned sm_clock = 1, memory_clock = 2, gpu_temperature = 0;
+constexpr unsigned sm_clock = 1;
 constexpr std::array<std::pair<unsigned long long, const char*>, 8> reasons{{{0x02, "clocks set by applications"},
                                                                              {0x04, "power cap"},
                                                                              {0x08, "hardware slowdown"},
@@ -51,17 +39,52 @@ constexpr std::array<std::pair<unsigned long long, const char*>, 8> reasons{{{0x
                                                                              {0x100, "display clocks"}}};
 constexpr unsigned long long idle = 0x01;
 
-class Library {
+std::string words(unsigned long long bits)
+{
+    std::string text;
+    for (const auto& [bit, word] : reasons) {
+        if ((bits & bit) != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", word);
+    }
+    if (text.empty() && (bits & idle) != 0) return "idle";
+    return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+// NVIDIA's library for the state of GPUs.
+class Telemetry::Nvml {
 public:
-    explicit Library(const std::string& name) : handle_(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL), dlclose) {}
-    explicit operator bool() const { return handle_ != nullptr; }
+    explicit Nvml(const std::string& name) : library_(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL))
+    {
+        if (library_ == nullptr) {
+            missing = name + " is not installed";
+        } else if (!call("nvmlInit_v2")) {
+            missing = name + " finds no driver";
+        } else {
+            unsigned count = 0;
+            call("nvmlDeviceGetCount_v2", &count);
+            for (unsigned i = 0; i < count; ++i) {
+                GpuHandle gpu = nullptr;
+                if (call("nvmlDeviceGetHandleByIndex_v2", i, &gpu)) gpus.push_back(gpu);
+            }
+            if (gpus.empty()) missing = name + " finds no GPU";
+        }
+    }
+    ~Nvml()
+    {
+        if (library_ == nullptr) return;
+        call("nvmlShutdown");
+        dlclose(library_);
+    }
+    Nvml(const Nvml&) = delete;
+    Nvml& operator=(const Nvml&) = delete;
 
     // Calls a function of the library. Returns false if the library lacks it or the call fails.
     template <class... Arguments>
     bool call(const char* name, Arguments... arguments) const
     {
         using Function = int (*)(Arguments...);
-        const auto function = reinterpret_cast<Function>(dlsym(handle_.get(), name));
+        const auto function = reinterpret_cast<Function>(dlsym(library_, name));
         return function != nullptr && function(arguments...) == success;
     }
 
@@ -75,112 +98,67 @@ public:
         return unit * static_cast<double>(value);
     }
 
+    // Returns the energy of all GPUs since the driver was loaded; nullopt if no GPU has a counter.
+    std::optional<double> joules() const
+    {
+        std::optional<double> sum;
+        for (const GpuHandle gpu : gpus) {
+            const auto of_gpu = number<unsigned long long>(1e-3, "nvmlDeviceGetTotalEnergyConsumption", gpu);
+            if (of_gpu) sum = sum.value_or(0) + *of_gpu;
+        }
+        return sum;
+    }
+
+    std::vector<GpuHandle> gpus;
+    std::string missing;  // why there are no GPUs; empty if there are some
+
 private:
-    std::unique_ptr<void, int (*)(void*)> handle_;
+    void* library_;
 };
 
-std::string words(unsigned long long bits)
-{
-    std::string text;
-    for (const auto& [bit, word] : reasons) {
-        if ((bits & bit) != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", word);
-    }
-    if (text.empty() && (bits & idle) != 0) return "idle";
-    return text.empty() ? "none" : text;
-}
-
-GpuReading reading_of(const Library& nvml, GpuHandle device)
-{
-    GpuReading reading;
-    std::array<char, 96> name{};
-    if (nvml.call("nvmlDeviceGetName", device, name.data(), static_cast<unsigned>(name.size())))
-        reading.name = name.data();
-    reading.watts = nvml.number<unsigned>(1e-3, "nvmlDeviceGetPowerUsage", device);
-    reading.celsius = nvml.number<unsigned>(1, "nvmlDeviceGetTemperature", device, gpu_temperature);
-    reading.sm = nvml.number<unsigned>(1, "nvmlDeviceGetClockInfo", device, sm_clock);
-    reading.most_sm = nvml.number<unsigned>(1, "nvmlDeviceGetMaxClockInfo", device, sm_clock);
-    reading.memory = nvml.number<unsigned>(1, "nvmlDeviceGetClockInfo", device, memory_clock);
-    reading.joules = nvml.number<unsigned long long>(1e-3, "nvmlDeviceGetTotalEnergyConsumption", device);
-    unsigned long long bits = 0;
-    if (nvml.call("nvmlDeviceGetCurrentClocksThrottleReasons", device, &bits)) reading.throttled = words(bits);
-    return reading;
-}
-
-// Returns a reading of every NVIDIA GPU. `library`: file name of NVML, as passed to dlopen().
-GpuReadings gpu_readings(const std::string& library)
-{
-    const Library nvml(library);
-    if (!nvml) return {.gpus = {}, .missing = library + " is not installed"};
-    if (!nvml.call("nvmlInit_v2")) return {.gpus = {}, .missing = library + " finds no driver"};
-    GpuReadings found;
-    unsigned count = 0;
-    nvml.call("nvmlDeviceGetCount_v2", &count);
-    for (unsigned i = 0; i < count; ++i) {
-        GpuHandle device = nullptr;
-        if (nvml.call("nvmlDeviceGetHandleByIndex_v2", i, &device)) found.gpus.push_back(reading_of(nvml, device));
-    }
-    nvml.call("nvmlShutdown");
-    if (found.gpus.empty()) found.missing = library + " finds no GPU";
-    return found;
-}
-
-}  // namespace
-
-Telemetry::Telemetry(TelemetrySources sources) : sources_(std::move(sources)), start_(now())
-{
-    look_for_domains();
-    for (const GpuReading& gpu : gpu_readings(sources_.nvml).gpus) gpu_joules_.push_back(gpu.joules);
-}
-
-// Reads Linux' powercap interface (Documentation/power/powercap), for Intel and AMD. It has one folder per domain. If a
-// folder's name has one colon, the domain is a whole package (or, on some Intel processors, the whole platform); if it
-// has more, the domain is a part of a package.
-void Telemetry::look_for_domains()
+// Packages are read from Linux' powercap interface (Documentation/power/powercap), for Intel and AMD. It has one folder
+// for each domain: a package, a part of a package, or the whole platform.
+Telemetry::Telemetry(const TelemetrySources& sources)
+    : nvml_(std::make_unique<Nvml>(sources.nvml)), gpus_at_start_(nvml_->joules())
 {
     std::error_code error;
-    std::vector<fs::path> folders;
-    for (const auto& entry : fs::directory_iterator(sources_.powercap, error)) {
-        if (fs::exists(entry.path() / "energy_uj", error)) folders.push_back(entry.path());
+    for (const auto& entry : fs::directory_iterator(sources.powercap, error)) {
+        const fs::path file = entry.path() / "energy_uj";  // only root may read it, on most systems
+        const auto start = number_in(file);
+        if (!start || !first_line(entry.path() / "name").starts_with("package")) continue;
+        packages_.push_back({file, *start, number_in(entry.path() / "max_energy_range_uj").value_or(0)});
     }
-    std::ranges::sort(folders);
-    for (const fs::path& folder : folders) {
-        const auto start = number_in(folder / "energy_uj");
-        if (!start) {
-            no_energy_ =
-                fmt::format("{} cannot be read, which Linux allows root only", (folder / "energy_uj").string());
-            continue;
-        }
-        domains_.push_back({.name = fmt::format("{} {}", folder.filename().string(), first_line(folder / "name")),
-                            .file = folder / "energy_uj",
-                            .start = *start,
-                            .range = number_in(folder / "max_energy_range_uj").value_or(0)});
-    }
-    if (folders.empty()) no_energy_ = fmt::format("{} has no domain of RAPL", sources_.powercap.string());
 }
 
-Json Telemetry::energy() const
+Telemetry::~Telemetry() = default;
+
+std::optional<double> Telemetry::joules()
 {
-    Json domains = Json::array();
-    for (const Domain& domain : domains_) {
-        const auto end = number_in(domain.file);
-        if (!end) continue;
-        const double used = *end - domain.start;
-        domains.push_back({{"name", domain.name}, {"joules", 1e-6 * (used < 0 ? used + domain.range : used)}});
+    for (Package& package : packages_) {
+        const double now = number_in(package.file).value_or(package.last);
+        of_packages_ += now - package.last + (now < package.last ? package.range : 0);
+        package.last = now;
     }
-    if (domains.empty()) return missing(no_energy_);
-    return {{"seconds", now() - start_}, {"domains", domains}};
+    const auto of_gpus = gpus_at_start_ ? nvml_->joules() : std::nullopt;
+    if (!of_gpus && packages_.empty()) return std::nullopt;
+    return 1e-6 * of_packages_ + (of_gpus ? *of_gpus - *gpus_at_start_ : 0);
 }
 
-Json Telemetry::since_start() const
+Json Telemetry::gpus() const
 {
-    GpuReadings readings = gpu_readings(sources_.nvml);
-    for (std::size_t i = 0; i < readings.gpus.size(); ++i) {
-        std::optional<double>& joules = readings.gpus[i].joules;
-        const std::optional<double> start = i < gpu_joules_.size() ? gpu_joules_[i] : std::nullopt;
-        joules = joules && start ? std::optional(*joules - *start) : std::nullopt;
+    if (!nvml_->missing.empty()) return {{"missing", nvml_->missing}};
+    Json list = Json::array();
+    for (const GpuHandle gpu : nvml_->gpus) {
+        std::array<char, 96> name{};
+        nvml_->call("nvmlDeviceGetName", gpu, name.data(), static_cast<unsigned>(name.size()));
+        unsigned long long bits = 0;
+        const bool known = nvml_->call("nvmlDeviceGetCurrentClocksThrottleReasons", gpu, &bits);
+        list.push_back({{"name", name.data()},
+                        {"watts", or_null(nvml_->number<unsigned>(1e-3, "nvmlDeviceGetPowerUsage", gpu))},
+                        {"sm_megahertz", or_null(nvml_->number<unsigned>(1, "nvmlDeviceGetClockInfo", gpu, sm_clock))},
+                        {"throttled", known ? Json(words(bits)) : Json()}});
     }
-    return {{"energy", energy()},
-            {"gpus", readings.missing.empty() ? to_json(readings.gpus, Form::facts) : missing(readings.missing)}};
+    return list;
 }
 
 }  // namespace mandelmarch::bench

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensor readings during the measurement: energy, clock frequencies and throttling of GPUs.
+// Energy of processors (RAPL) and of GPUs (NVML), and the state of GPUs.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -16,32 +17,30 @@ struct TelemetrySources {
     std::string nvml = "libnvidia-ml.so.1";
 };
 
-// Takes readings on construction and at each call of since_start(). Values that the system does not provide are
-// "missing", with the reason; nothing is estimated.
 class Telemetry {
 public:
-    explicit Telemetry(TelemetrySources sources = {});
+    explicit Telemetry(const TelemetrySources& sources = {});
+    ~Telemetry();
 
-    // Returns {"energy", "gpus"}; each is {"missing": why} or
-    //   energy: {"seconds", "domains": [{"name", "joules"}]}, from RAPL, for all processors of the machine
-    //   gpus: a list of readings (bench/result/gpu_reading.h) from NVML, each for the whole GPU. joules: energy since
-    //     construction; all other values are current.
-    nlohmann::ordered_json since_start() const;
+    // Returns the energy in joules since construction of all processors and NVIDIA GPUs of the machine whose counters
+    // can be read; nullopt if there are none. A counter must be read before it wraps around twice.
+    std::optional<double> joules();
+
+    // Returns a list of {"name", "watts", "sm_megahertz", "throttled"}, one for each NVIDIA GPU, with null for what the
+    // driver does not give; {"missing": why} if there is no GPU.
+    nlohmann::ordered_json gpus() const;
 
 private:
-    struct Domain {
-        std::string name;
+    class Nvml;
+    struct Package {
         std::filesystem::path file;
-        double start = 0, range = 0;  // microjoules; the reading wraps around to 0 after `range`
+        double last = 0, range = 0;  // microjoules; the counter wraps around to 0 after `range`
     };
-    void look_for_domains();
-    nlohmann::ordered_json energy() const;
 
-    TelemetrySources sources_;
-    double start_ = 0;  // seconds, steady clock
-    std::vector<Domain> domains_;
-    std::string no_energy_;
-    std::vector<std::optional<double>> gpu_joules_;  // at the start
+    std::unique_ptr<Nvml> nvml_;
+    std::vector<Package> packages_;
+    double of_packages_ = 0;               // microjoules since construction
+    std::optional<double> gpus_at_start_;  // joules
 };
 
 }  // namespace mandelmarch::bench

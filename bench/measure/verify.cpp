@@ -37,29 +37,14 @@ void describe(Row& row, const RenderStats& report)
     row.work = report.work;
 }
 
-// Calls draw(), which renders the first picture. If draw() throws, stores the message in the row, as the reason why the
-// configuration has no speed. Returns nullopt if the configuration cannot be timed.
-template <class Draw>
-std::optional<TimedCase> prepared(Case& one, const Draw& draw)
+// Returns the level of agreement that the configuration's picture needs. A reference and a foreign program are other
+// implementations, whose exact pictures are close to the kernel's, but not identical.
+Level level_required(const Case& one, const Image& image)
 {
-    Row& row = one.row;
-    TimedCase live;
-    live.one = &one;
-    try {
-        check_memory(one.scene);
-        draw(live);
-        describe(row, live.first);
-    } catch (const Unavailable& error) {
-        row.unavailable = error.what();
-    } catch (const InputError& error) {
-        // An option is not supported: for example, this machine lacks a pack width.
-        row.unavailable = error.what();
-    } catch (const Error& error) {
-        row.failure = error.what();
-    }
-    if (!row.verification.passed || !row.unavailable.empty()) return std::nullopt;
-    live.expected = live.first.timings.kernel;
-    return live;
+    const BackendInfo info = one.backend->info();
+    const Level required =
+        info.role == Role::reference || info.foreign ? Level::perceptual : level_required(one.row.mode);
+    return image.has_values() ? required : std::max(required, Level::same_bytes);
 }
 
 }  // namespace
@@ -85,18 +70,6 @@ bool ExpectedPictures::same(const Case& a, const Case& b) const
            one.options.mode == other.options.mode;
 }
 
-std::vector<Case*> ExpectedPictures::grouped(std::vector<Case>& cases) const
-{
-    std::vector<Case*> order;
-    for (Case& one : cases) {
-        if (one.backend == nullptr) continue;
-        const auto last =
-            std::ranges::find_if(order.rbegin(), order.rend(), [&](const Case* c) { return same(*c, one); });
-        order.insert(last == order.rend() ? order.end() : last.base(), &one);
-    }
-    return order;
-}
-
 const ExpectedPicture& ExpectedPictures::for_case(const Case& one)
 {
     ExpectedPicture& kept = one.options.mode == Mode::exact ? exact_ : fast_;
@@ -112,14 +85,6 @@ const ExpectedPicture& ExpectedPictures::for_case(const Case& one)
     return kept;
 }
 
-Level level_required(const Case& one, const Image& image)
-{
-    const BackendInfo info = one.backend->info();
-    const Level required =
-        info.role == Role::reference || info.foreign ? Level::perceptual : level_required(one.row.mode);
-    return image.has_values() ? required : std::max(required, Level::same_bytes);
-}
-
 bool passes(const Case& one, const Image& image, const Agreement& found)
 {
     // With `--without refinement`, the same rays hit, but at slightly different points. The check then only compares
@@ -129,6 +94,11 @@ bool passes(const Case& one, const Image& image, const Agreement& found)
     return found.numbers && 1000 * found.comparison.hit_or_miss <= found.comparison.pixels;
 }
 
+std::uint64_t fingerprint(const Image& image) { return fnv1a(image.bytes().data(), image.bytes().size()); }
+
+namespace {
+
+// Sets one.row.verification and, if `image` is wrong, one.row.failure.
 void verify(Case& one, const Image& image, const ExpectedPicture& expected)
 {
     Row& row = one.row;
@@ -156,15 +126,18 @@ void verify(Case& one, const Image& image, const ExpectedPicture& expected)
     }
 }
 
-std::uint64_t fingerprint(const Image& image) { return fnv1a(image.bytes().data(), image.bytes().size()); }
-
+// Renders the configuration's picture once, verifies it, and passes it to `keep`. Returns nullopt if the configuration
+// cannot be timed; one.row then holds the reason.
 std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, const KeepPicture& keep)
 {
+    Row& row = one.row;
+    TimedCase live;
+    live.one = &one;
     Image own;
     const Image* image = nullptr;
-    std::optional<TimedCase> ready = prepared(one, [&](TimedCase& live) {
-        Row& row = one.row;
-        const auto& expected = pictures.for_case(one);
+    try {
+        check_memory(one.scene);
+        const ExpectedPicture& expected = pictures.for_case(one);
         live.renderer = one.backend->create(one.options);
         if (pictures.renders_expected(one)) {
             live.first = expected.stats;
@@ -178,17 +151,33 @@ std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, co
             image = &own;
         }
         live.fingerprint = fingerprint(*image);
-    });
-    if (image != nullptr && keep) keep(one.row, *image);
-    return ready;
+        live.expected = live.first.timings.kernel;
+        describe(row, live.first);
+    } catch (const Unavailable& error) {
+        row.unavailable = error.what();
+    } catch (const InputError& error) {
+        // An option is not supported: for example, this machine lacks a pack width.
+        row.unavailable = error.what();
+    } catch (const Error& error) {
+        row.failure = error.what();
+    }
+    if (image != nullptr && keep) keep(row, *image);
+    if (!row.verification.passed || !row.unavailable.empty()) return std::nullopt;
+    return live;
 }
+
+}  // namespace
 
 std::vector<TimedCase> verified_cases(std::vector<Case>& cases, const Registry& registry, const Phase& phase,
                                       const KeepPicture& keep)
 {
     ExpectedPictures pictures(registry);
     std::vector<TimedCase> live;
-    const std::vector<Case*> order = pictures.grouped(cases);
+    std::vector<Case*> order;
+    for (Case& one : cases) {
+        if (one.backend != nullptr) order.push_back(&one);
+    }
+    pictures.group(order, [](Case* one) -> const Case& { return *one; });
     for (std::size_t i = 0; i < order.size(); ++i) {
         phase({"verification", static_cast<double>(i) / static_cast<double>(order.size())});
         if (auto row = verified_case(*order[i], pictures, keep)) live.push_back(std::move(*row));

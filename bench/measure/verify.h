@@ -2,6 +2,7 @@
 // Prepares configurations for timing: compares the picture of each with its expected picture.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -38,9 +39,17 @@ public:
     // Returns true if both configurations have the same expected picture.
     bool same(const Case& a, const Case& b) const;
 
-    // Returns the configurations that have a backend. Configurations with the same expected picture follow each other,
-    // so that each expected picture is rendered only once.
-    std::vector<Case*> grouped(std::vector<Case>& cases) const;
+    // Sorts configurations, so that those with the same expected picture follow each other and it is rendered only
+    // once. Keeps the order otherwise. case_of(element): the configuration.
+    template <class Element, class CaseOf>
+    void group(std::vector<Element>& order, CaseOf case_of) const
+    {
+        for (auto first = order.begin(); first != order.end();) {
+            const Case& of = case_of(*first);
+            first = std::stable_partition(first, order.end(),
+                                          [&](const Element& other) { return same(of, case_of(other)); });
+        }
+    }
 
 private:
     ExpectedBy source_for(const Case& one) const;
@@ -49,24 +58,14 @@ private:
     ExpectedPicture exact_, fast_;
 };
 
-// Returns the level of agreement that the configuration's picture needs. A reference and a foreign program are other
-// implementations, whose exact pictures are close to the kernel's, but not identical.
-Level level_required(const Case& one, const Image& image);
 // Returns true if the configuration's picture agrees well enough with the expected one.
 bool passes(const Case& one, const Image& image, const Agreement& found);
-
-// Compares `image`, rendered by the configuration, with the expected picture. Sets one.row.verification and, if `image`
-// is wrong, one.row.failure.
-void verify(Case& one, const Image& image, const ExpectedPicture& expected);
 
 // Receives a configuration's picture, right or wrong, after its verification.
 using KeepPicture = std::function<void(const Row&, const Image&)>;
 
-// Renders the configuration's picture once, verifies it, and passes it to `keep`. Returns nullopt if the configuration
-// cannot be timed; one.row then holds the reason.
-std::optional<TimedCase> verified_case(Case& one, ExpectedPictures& pictures, const KeepPicture& keep = {});
-
-// Calls verified_case() for all configurations, and returns those that can be timed.
+// Renders each configuration's picture once, verifies it, and passes it to `keep`. Returns the configurations that can
+// be timed; the rows of the others hold the reason.
 std::vector<TimedCase> verified_cases(std::vector<Case>& cases, const Registry& registry, const Phase& phase,
                                       const KeepPicture& keep = {});
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "bench/print/printers.h"
@@ -46,6 +45,14 @@ std::string short_application(const Result& result, const Row& row)
     return fmt::format("{}[{}]", row.application.substr(0, colon), place);
 }
 
+// Returns a table whose first columns name a row, as cells_of() does.
+Table row_table(std::initializer_list<const char*> more)
+{
+    std::vector<std::string> heads{"<scene", "<precision", "<mode", "<backend", ">dev"};
+    heads.insert(heads.end(), more.begin(), more.end());
+    return Table(std::move(heads));
+}
+
 // Returns the cells that name a row, and more cells.
 template <class... More>
 std::vector<std::string> cells_of(const Result& result, const Row& row, const More&... more)
@@ -61,50 +68,61 @@ std::string why_not_timed(const Row& row)
     return "FAILED: " + (row.failure.empty() ? "no sample" : row.failure);
 }
 
-// Returns the table of configurations. In a sweep it has a column with the sweep value instead of the share of peak and
-// the speed-up.
-std::string main_table(const Result& result, bool sweep)
-{
-    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", "<point", "<verification", ">kernel",
-                 "<95 % interval", ">wall ms", ">Mpixel/s", ">GFLOP/s", ">peak", ">speed-up"});
-    for (const Row& row : result.rows) {
-        const std::string point = sweep ? row.sweep_value : "";
-        if (!row.timed()) {
-            table.add_cells(cells_of(result, row, point, why_not_timed(row)));
-            continue;
-        }
-        const Figures& f = *row.figures;
-        table.add_cells(cells_of(result, row, point, row.verification.text, digits(1e3 * f.kernel.median),
-                                 interval_text(f.kernel.interval, f.kernel.count, 1e3), digits(1e3 * f.wall.median),
-                                 digits(1e-6 * f.pixel_rate), of(f.operation_rate, 1e-9), sweep ? "" : percent(f.share),
-                                 sweep ? "" : of(ratio_of(f.speed_up), 1)));
-    }
-    return table.text(console_columns);
-}
+// The tables of configurations, as bits: of a sweep, of another study, and with --wide.
+enum In : unsigned { sweep = 1, standard = 2, narrow = sweep | standard, wide = 4, all = narrow | wide };
 
-// Returns a table with all columns, one line per configuration.
-std::string wide_table(const Result& result)
+struct Column {
+    const char* head;  // as in Table
+    unsigned in;       // the tables that have the column
+    std::string (*cell)(const Row& row, const Figures& figures);
+};
+
+constexpr Column columns[] = {
+    {"<verification", all, [](const Row& row, const Figures&) { return row.verification.text; }},
+    {">samples", wide, [](const Row& row, const Figures&) { return std::to_string(row.samples.size()); }},
+    {">kernel", all, [](const Row&, const Figures& f) { return digits(1e3 * f.kernel.median); }},
+    {"<95 % interval", all,
+     [](const Row&, const Figures& f) { return interval_text(f.kernel.interval, f.kernel.count, 1e3); }},
+    {">MAD ms", wide, [](const Row&, const Figures& f) { return digits(1e3 * f.kernel.mad); }},
+    {">wall ms", all, [](const Row&, const Figures& f) { return digits(1e3 * f.wall.median); }},
+    {">context", wide, [](const Row& row, const Figures&) { return digits(1e3 * row.context); }},
+    {">build", wide, [](const Row& row, const Figures&) { return digits(1e3 * row.build); }},
+    {">upload", wide, [](const Row&, const Figures& f) { return digits(1e3 * f.upload); }},
+    {">host", wide, [](const Row&, const Figures& f) { return digits(1e3 * f.host); }},
+    {">readback", wide, [](const Row&, const Figures& f) { return digits(1e3 * f.readback); }},
+    {">Mpixel/s", all, [](const Row&, const Figures& f) { return digits(1e-6 * f.pixel_rate); }},
+    {">Mcall/s", wide, [](const Row&, const Figures& f) { return digits(1e-6 * f.estimate_rate); }},
+    {">Miter/s", wide, [](const Row&, const Figures& f) { return digits(1e-6 * f.iteration_rate); }},
+    {">GFLOP", wide,
+     [](const Row& row, const Figures&) { return row.operations > 0 ? digits(1e-9 * row.operations) : "-"; }},
+    {">GFLOP/s", all, [](const Row&, const Figures& f) { return of(f.operation_rate, 1e-9); }},
+    {">peak GFLOP/s", wide, [](const Row&, const Figures& f) { return of(f.peak, 1e-9); }},
+    {">peak", standard | wide, [](const Row&, const Figures& f) { return percent(f.share); }},
+    {">bound ms", wide, [](const Row&, const Figures& f) { return of(f.bound, 1e3); }},
+    {">speed-up", standard | wide, [](const Row&, const Figures& f) { return of(ratio_of(f.speed_up), 1); }},
+    {">joules", wide, [](const Row&, const Figures& f) { return f.joules ? digits(*f.joules) : ""; }},
+    {">thr", wide, [](const Row& row, const Figures&) { return std::to_string(row.threads); }},
+    {">SIMD", wide, [](const Row& row, const Figures&) { return std::to_string(row.simd_width); }},
+    {"<set", wide, [](const Row& row, const Figures&) { return row.instruction_set; }}};
+
+std::string table_in(const Result& result, In table)
 {
-    Table table({"<row",      "<verification", ">samples",  ">kernel ms", "<95 % interval", ">MAD ms",
-                 ">wall ms",  ">context",      ">build",    ">upload",    ">host",          ">readback",
-                 ">Mpixel/s", ">Mcall/s",      ">Miter/s",  ">GFLOP",     ">GFLOP/s",       ">peak",
-                 ">share",    ">bound ms",     ">speed-up", ">thr",       ">SIMD",          "<set"});
-    for (const Row& row : result.rows) {
-        if (!row.timed()) {
-            table.add(row.name(), why_not_timed(row));
-            continue;
-        }
-        const Figures& f = *row.figures;
-        table.add(row.name(), row.verification.text, row.samples.size(), digits(1e3 * f.kernel.median),
-                  interval_text(f.kernel.interval, f.kernel.count, 1e3), digits(1e3 * f.kernel.mad),
-                  digits(1e3 * f.wall.median), digits(1e3 * row.context), digits(1e3 * row.build),
-                  digits(1e3 * f.upload), digits(1e3 * f.host), digits(1e3 * f.readback), digits(1e-6 * f.pixel_rate),
-                  digits(1e-6 * f.estimate_rate), digits(1e-6 * f.iteration_rate),
-                  row.operations > 0 ? digits(1e-9 * row.operations) : "-", of(f.operation_rate, 1e-9),
-                  of(f.peak, 1e-9), percent(f.share), of(f.bound, 1e3), of(ratio_of(f.speed_up), 1), row.threads,
-                  row.simd_width, row.instruction_set);
+    std::vector<std::string> heads{"<scene", "<precision", "<mode", "<backend", ">dev", "<point"};
+    if (table == wide) heads = {"<row"};
+    for (const Column& column : columns) {
+        if ((column.in & table) != 0) heads.emplace_back(column.head);
     }
-    return table.text();
+    Table made(std::move(heads));
+    for (const Row& row : result.rows) {
+        std::vector<std::string> cells =
+            table == wide ? std::vector{row.name()} : cells_of(result, row, table == sweep ? row.sweep_value : "");
+        if (!row.timed()) cells.push_back(why_not_timed(row));
+        for (const Column& column : columns) {
+            if (row.timed() && (column.in & table) != 0) cells.push_back(column.cell(row, *row.figures));
+        }
+        made.add_cells(std::move(cells));
+    }
+    return made.text(table == wide ? std::string::npos : console_columns);
 }
 
 std::string devices(const Result& result)
@@ -135,7 +153,7 @@ std::string devices(const Result& result)
 std::string incomplete_parts(const Result& result)
 {
     constexpr double little = 0.05;
-    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", "<point", ">share"});
+    Table table = row_table({"<point", ">share"});
     for (const Row& row : result.rows) {
         if (!row.timed() || row.figures->unaccounted.value_or(0) <= little) continue;
         table.add_cells(cells_of(result, row, row.sweep_value, percent(row.figures->unaccounted)));
@@ -162,8 +180,7 @@ std::string interval_of(const std::optional<Quotient>& quotient)
 // Returns the table of speed-ups over both baselines.
 std::string speed_ups(const Result& result)
 {
-    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", ">serial", "<95 % interval", ">scalar",
-                 "<95 % interval", "<point"});
+    Table table = row_table({">serial", "<95 % interval", ">scalar", "<95 % interval", "<point"});
     for (const Row& row : result.rows) {
         if (!row.timed() || (!row.figures->speed_up && !row.figures->over_scalar)) continue;
         const Figures& f = *row.figures;
@@ -180,7 +197,7 @@ std::string speed_ups(const Result& result)
 std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, const std::string& title, bool fractal)
 {
     if (ratios.empty()) return {};
-    Table table({"<scene", "<precision", "<mode", "<backend", ">dev", ">ratio", "<95 % interval", ">pairs", "<point"});
+    Table table = row_table({">ratio", "<95 % interval", ">pairs", "<point"});
     for (const Ratio& ratio : ratios) {
         const Row& row = result.row(ratio.denominator);
         std::vector<std::string> cells = cells_of(result, row, ratio.ratio.count > 0 ? digits(ratio.ratio.median) : "-",
@@ -194,15 +211,20 @@ std::string ratio_table(const Result& result, const std::vector<Ratio>& ratios, 
 
 }  // namespace
 
-std::string to_console(const Result& result, bool wide)
+std::string main_table(const Result& result)
+{
+    const bool swept = result.study != standard_study && result.study != demo_study &&
+                       std::ranges::any_of(result.rows, [](const Row& row) { return !row.sweep_value.empty(); });
+    return table_in(result, swept ? sweep : standard);
+}
+
+std::string to_console(const Result& result, bool all_columns)
 {
     const Row* any = nullptr;
     for (const Row& row : result.rows) {
         if (any == nullptr && row.timed()) any = &row;
     }
-    const bool sweep = result.study != standard_study &&
-                       std::ranges::any_of(result.rows, [](const Row& row) { return !row.sweep_value.empty(); });
-    std::string text = wide ? wide_table(result) : main_table(result, sweep);
+    std::string text = all_columns ? table_in(result, wide) : main_table(result);
     text += fmt::format("\n{}", devices(result));
     if (any != nullptr && result.study == standard_study) {
         text += fmt::format(

@@ -18,7 +18,7 @@ std::string cell_of(const T& value)
     if constexpr (std::is_same_v<T, bool>) return value ? "1" : "0";
     if constexpr (Named<T>) return std::string(name_of(value));
     if constexpr (List<T>) return fmt::format("{}", value.size());
-    if constexpr (Optional<T>) return value ? fmt::format("{}", *value) : std::string();
+    if constexpr (Optional<T>) return value ? cell_of(*value) : std::string();
     if constexpr (std::is_arithmetic_v<T>) return fmt::format("{}", value);
 }
 

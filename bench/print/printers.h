@@ -9,9 +9,12 @@
 namespace mandelmarch::bench {
 
 // Returns the table of configurations, tables of ratios (speed-ups, Mandelbox / Mandelbulb, double / float), the
-// study's own tables, warnings and the winners, in lines of at most 120 characters. `wide`: true for a table of
+// study's own tables, warnings and the winners, in lines of at most 120 characters. `all_columns`: true for a table of
 // configurations with all columns, in lines of any length.
-std::string to_console(const Result& result, bool wide);
+std::string to_console(const Result& result, bool all_columns);
+
+// Returns the table of configurations. In a sweep it has the sweep value instead of the share of peak and the speed-up.
+std::string main_table(const Result& result);
 
 // Returns the tables of the studies box-vs-bulb and ladder; empty for other studies.
 std::string study_tables(const Result& result);

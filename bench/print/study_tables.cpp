@@ -12,44 +12,6 @@ namespace {
 
 double ratio(std::uint64_t a, std::uint64_t b) { return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b); }
 
-// Returns a timed configuration that does the same work as the counting kernel, but on all pixels; nullptr if there is
-// none. The counting kernel has neither cones nor neighbours.
-const Row* whole_picture(const Result& result, const Counted& counted)
-{
-    for (const Row& row : result.rows) {
-        const Techniques techniques = techniques_without(row.setting.without);
-        const bool same_steps = counted.mode == Mode::exact || (!techniques.cones && !techniques.neighbours);
-        if (row.timed() && is_counted_for(counted, row) && same_steps) return &row;
-    }
-    return nullptr;
-}
-
-// Returns a line with the largest standard errors of the sampled counts; empty if every pixel was counted or no errors
-// are known.
-std::string errors_of(const Result& result)
-{
-    double of_operations = 0;
-    double of_iterations = 0;
-    double of_lanes = 0;
-    for (const Counted& c : result.counts) {
-        const Count& n = c;
-        if (!n.errors || n.per_iteration() == 0 || n.march_iterations == 0) continue;
-        of_operations = std::max(of_operations, n.errors->per_iteration / n.per_iteration());
-        of_iterations = std::max(of_iterations, n.errors->per_estimate / ratio(n.march_iterations, n.march_estimates));
-        for (const LaneUse& use : n.lane_use) {
-            for (const auto& error : {use.together_error, use.refilled_error}) {
-                if (error) of_lanes = std::max({of_lanes, error->in_steps, error->in_iterations});
-            }
-        }
-    }
-    if (of_operations == 0) return {};
-    return fmt::format(
-        "calls a pixel in exact mode: of all pixels; the rest: of a sample, with standard errors up to {:.1f} % "
-        "(iterations a call), "
-        "{:.1f} %\n(operations an iteration) and {:.1f} points (lanes)\n",
-        100 * of_iterations, 100 * of_operations, 100 * of_lanes);
-}
-
 // Returns a table of the counted work, which explains why one fractal is slower than another.
 std::string counts_table(const Result& result)
 {
@@ -58,17 +20,14 @@ std::string counts_table(const Result& result)
     for (const Counted& c : result.counts) {
         const Count& n = c;
         const Operations all = n.all();
-        const Row* whole = whole_picture(result, c);
-        const double pixels = whole != nullptr ? static_cast<double>(whole->setting.width) * whole->setting.height
-                                               : static_cast<double>(n.pixels);
-        const Work& work = whole != nullptr ? whole->work : n.work;
+        const auto pixels = static_cast<double>(n.pixels);
         const ActiveLanes& together = n.lane_use.front().together;
         table.add(c.fractal, name_of(c.precision), name_of(c.mode), c.setting.view,
-                  fmt::format("{:.2f}", static_cast<double>(work.de_calls) / pixels),
+                  fmt::format("{:.2f}", static_cast<double>(n.work.de_calls) / pixels),
                   fmt::format("{:.2f}", ratio(n.march_iterations, n.march_estimates)),
                   fmt::format("{:.1f}", n.per_iteration()),
                   fmt::format("{:.2f}", ratio(all.divisions + all.square_roots, n.work.iterations)),
-                  fmt::format("{:.0f}", n.per_iteration() * static_cast<double>(work.iterations) / pixels),
+                  fmt::format("{:.0f}", n.per_iteration() * static_cast<double>(n.work.iterations) / pixels),
                   fmt::format("{:.0f}%", 100 * together.in_steps),
                   fmt::format("{:.0f}%", 100 * together.in_iterations));
     }
@@ -136,7 +95,7 @@ std::string ladder_table(const Result& result)
 std::string study_tables(const Result& result)
 {
     std::string text;
-    if (result.study == "box-vs-bulb") text += counts_table(result) + lanes_table(result) + errors_of(result);
+    if (result.study == "box-vs-bulb") text += counts_table(result) + lanes_table(result);
     if (result.study == ladder_study) text += ladder_table(result);
     return text;
 }

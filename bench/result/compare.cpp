@@ -81,16 +81,6 @@ Compared compared(const Row& old_row, const Row& new_row, bool by_run)
     return c;
 }
 
-std::string platform_names(const Result& result)
-{
-    std::string text;
-    for (const Row& row : result.rows) {
-        if (row.platform.empty() || text.find(row.platform) != std::string::npos) continue;
-        text += (text.empty() ? "" : " and ") + row.platform;
-    }
-    return text.empty() ? "no platform" : printable(text, 200);
-}
-
 // Returns the verdict on a configuration that only the old result has.
 Compared missing(const Row& row, const Result& new_result, bool by_run)
 {
@@ -141,8 +131,7 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
         }
     }
     if (paired == 0) {
-        std::string why = fmt::format("bench compare: the two results have no row in common; they are of {} and of {}",
-                                      platform_names(old_result), platform_names(new_result));
+        std::string why = "bench compare: the two results have no row in common";
         for (const std::string& difference : comparison.differences) why += "; " + difference;
         throw InputError(printable(why, longest_note));
     }
@@ -153,7 +142,7 @@ ComparedResults compare_results(const Result& old_given, const Result& new_given
 
 std::string to_console(const ComparedResults& comparison)
 {
-    return table_of(comparison.rows, 3) + notes("differs: ", comparison.differences) +
+    return table_of(comparison.rows) + notes("differs: ", comparison.differences) +
            notes("warning: ", comparison.warnings) + summary_of(comparison.rows, margin);
 }
 

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <utility>
+#include <string_view>
 
 #include "core/text/text.h"
 
@@ -15,24 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<const char*, const char*>, 18> facts{{{"revision", "/git/revision"},
-                                                                     {"changed since the revision", "/git/dirty"},
-                                                                     {"version", "/build/version"},
-                                                                     {"build type", "/build/type"},
-                                                                     {"compiler", "/build/compiler"},
-                                                                     {"compiler flags", "/build/flags"},
-                                                                     {"CPU", "/cpu/model"},
-                                                                     {"CPU", "/cpu/platform"},
-                                                                     {"stepping", "/cpu/stepping"},
-                                                                     {"caches", "/cpu/caches"},
-                                                                     {"usable cores", "/cpu/cores_usable"},
-                                                                     {"governor", "/cpu/governor"},
-                                                                     {"turbo disabled", "/cpu/turbo_disabled"},
-                                                                     {"memory, bytes", "/memory/total_bytes"},
-                                                                     {"microcode", "/cpu/microcode"},
-                                                                     {"system", "/os/name"},
-                                                                     {"kernel", "/os/kernel"},
-                                                                     {"variables", "/variables"}}};
+// Parts of an environment that differ from measurement to measurement on one machine.
+constexpr std::string_view passing[] = {"date",    "cpu/megahertz", "memory/available_bytes",
+                                        "os/boot", "during",        "telemetry"};
 
 std::string words(const Json& value)
 {
@@ -40,33 +23,47 @@ std::string words(const Json& value)
     return printable(value.is_string() ? value.get<std::string>() : value.dump(), 200);
 }
 
-// Returns the CPU flags in `flags` that are not in `others`, separated by spaces; "none" if there are none.
-std::string only_in(const Json& flags, const Json& others)
+// Returns the elements of a list that another one lacks, separated by spaces; "none" if there are none.
+std::string only_in(const Json& list, const Json& other)
 {
     std::string only;
-    for (const Json& flag : flags) {
-        if (std::ranges::find(others, flag) != others.end()) continue;
-        if (!only.empty()) only += ' ';
-        only += words(flag);
+    for (const Json& element : list) {
+        if (std::ranges::find(other, element) != other.end()) continue;
+        only += (only.empty() ? "" : " ") + words(element);
     }
     return only.empty() ? "none" : printable(only, 200);
 }
 
-// Returns the compilers, flags and drivers of the backends. The keys are their names in messages: "compiler of openmp".
-std::map<std::string, Json> backends_of(const Json& environment)
+bool is_named(const Json& list)
 {
-    std::map<std::string, Json> found;
-    for (const Json& backend : value_at(environment, "/backends")) {
-        const std::string name = words(value_at(backend, "/name"));
-        for (const char* part : {"compiler", "flags_exact", "flags_fast"}) {
-            found[fmt::format("{} of {}", part, name)] = value_at(backend, fmt::format("/{}", part));
+    return list.is_array() &&
+           std::ranges::all_of(list, [](const Json& element) { return value_at(element, "/name").is_string(); });
+}
+
+// Adds a line for each difference of two values at a place of the environment, such as "cpu/model".
+void add_differences(const std::string& place, const Json& before, const Json& after, std::vector<std::string>& lines)
+{
+    if (same_fact(before, after) || std::ranges::find(passing, place) != std::end(passing)) return;
+    const auto below = [&](const std::string& key) { return place.empty() ? key : place + "/" + key; };
+    if (is_named(before) && is_named(after)) {
+        // Backends and devices that only one result has are skipped, because the table of configurations shows them.
+        for (const Json& element : after) {
+            const auto same =
+                std::ranges::find(before, element.at("name"), [](const Json& one) { return one.at("name"); });
+            if (same != before.end()) add_differences(below(words(element.at("name"))), *same, element, lines);
         }
-        int index = 0;
-        for (const Json& device : value_at(backend, "/devices")) {
-            found[fmt::format("driver of {} {}", name, index++)] = value_at(device, "/driver");
+    } else if (before.is_array() && after.is_array()) {
+        lines.push_back(fmt::format("{}: {} in the old result only, {} in the new only", place, only_in(before, after),
+                                    only_in(after, before)));
+    } else if (before.is_object() && after.is_object()) {
+        Json both = before;
+        both.update(after);
+        for (const auto& [key, value] : both.items()) {
+            add_differences(below(key), before.value(key, Json()), after.value(key, Json()), lines);
         }
+    } else {
+        lines.push_back(fmt::format("{}: {} in the old result, {} in the new", place, words(before), words(after)));
     }
-    return found;
 }
 
 }  // namespace
@@ -90,24 +87,7 @@ bool same_fact(const Json& one, const Json& other)
 std::vector<std::string> differences_of(const Json& old_environment, const Json& new_environment)
 {
     std::vector<std::string> lines;
-    const auto look = [&](const std::string& what, const Json& before, const Json& after) {
-        if (same_fact(before, after)) return;
-        lines.push_back(fmt::format("{}: {} in the old result, {} in the new", what, words(before), words(after)));
-    };
-    for (const auto& [what, pointer] : facts) {
-        look(what, value_at(old_environment, pointer), value_at(new_environment, pointer));
-    }
-    const Json old_flags = value_at(old_environment, "/cpu/flags");
-    const Json new_flags = value_at(new_environment, "/cpu/flags");
-    if (old_flags.is_array() && new_flags.is_array() && !same_fact(old_flags, new_flags)) {
-        lines.push_back(fmt::format("CPU flags: {} in the old result only, {} in the new only",
-                                    only_in(old_flags, new_flags), only_in(new_flags, old_flags)));
-    }
-    // Backends and devices that only one result has are skipped, because the table of configurations shows them.
-    const std::map<std::string, Json> before = backends_of(old_environment);
-    for (const auto& [what, value] : backends_of(new_environment)) {
-        if (const auto found = before.find(what); found != before.end()) look(what, found->second, value);
-    }
+    add_differences("", old_environment, new_environment, lines);
     return lines;
 }
 

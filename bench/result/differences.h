@@ -14,8 +14,8 @@ nlohmann::ordered_json value_at(const nlohmann::ordered_json& environment, const
 // Returns true if two facts of a machine are equal. The order of keys and the order in a list do not count.
 bool same_fact(const nlohmann::ordered_json& one, const nlohmann::ordered_json& other);
 
-// Returns a line for each difference of two environments that may explain different times: revision, compilers, flags,
-// CPU, system, drivers, variables.
+// Returns a line for each difference of two environments that may explain different times: "git/revision: a in the old
+// result, b in the new".
 std::vector<std::string> differences_of(const nlohmann::ordered_json& old_environment,
                                         const nlohmann::ordered_json& new_environment);
 

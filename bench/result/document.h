@@ -31,8 +31,9 @@ inline Json schema_in(const Json& json) { return json.is_object() ? json.value("
 
 // Reads a record from the contents of a file in either form. `name`: the file's name in messages; check(record): throws
 // Refusal if the record is impossible. Throws InputError if the file has another format, or values that it cannot have.
-template <class Record, class Check>
-Record record_of(const Json& json, const std::string& name, const Check& check)
+template <class Record>
+Record record_of(
+    const Json& json, const std::string& name, void (*check)(const Record&) = [](const Record&) {})
 {
     constexpr Format format = format_of<Record>;
     try {

@@ -74,17 +74,6 @@ struct Description {
     explicit constexpr Description(const char* record, Fields... fields) : name(record), list(fields...) {}
 };
 
-// Returns the description of a record that has the fields of `base`, its base class, after its own.
-template <class... Own, class... Base>
-constexpr auto extended(const Description<Own...>& own, const Description<Base...>& base)
-{
-    return std::apply(
-        [&](const auto&... fields) {
-            return Description{own.name, fields...};
-        },
-        std::tuple_cat(own.list, base.list));
-}
-
 // The description of a record, the values of an enumeration, whose texts name_of() returns, and the keys of an array
 // that is stored as an object; nullptr for other types.
 template <class Record>
@@ -138,6 +127,9 @@ Json record_to_json(const Record& record, Form form)
     each_field<Record>([&]<class Member, bool stored>(const Field<Member, stored>& field) {
         if (!stored && form == Form::facts) return;
         const auto& value = std::invoke(field.member, record);
+        if constexpr (Optional<std::remove_cvref_t<decltype(value)>>) {
+            if (!value && form == Form::facts) return;
+        }
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, std::optional<Quotient>>) {
             // Two members: KEY with the ratio, and KEY_interval.
             json[field.key] = value ? Json(value->ratio) : Json();

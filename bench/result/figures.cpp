@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/result/figures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
@@ -80,6 +78,18 @@ std::vector<double> unaccounted_shares(const Row& row)
     return shares;
 }
 
+// Returns the mean energy of a picture. Not the median, because counters of GPUs change only now and then.
+std::optional<double> mean_joules(const Row& row)
+{
+    double sum = 0;
+    int count = 0;
+    for (const Sample& sample : row.samples) {
+        sum += sample.joules.value_or(0);
+        count += sample.joules ? 1 : 0;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
 }  // namespace
 
 bool is_counted_for(const Counted& counted, const Row& row)
@@ -134,6 +144,7 @@ Figures figures_of(const Result& result, const Row& row)
     f.readback = median(times(row, &Sample::readback));
     f.host = median(times(row, &Sample::host));
     if (row.setting.frames == 0 && f.wall.median > 0) f.unaccounted = median(unaccounted_shares(row));
+    f.joules = mean_joules(row);
     const double seconds = f.kernel.median;
     if (seconds > 0) {
         f.pixel_rate = static_cast<double>(row.setting.width) * row.setting.height / seconds;
@@ -145,7 +156,6 @@ Figures figures_of(const Result& result, const Row& row)
         f.peak = peak->rate;
         if (row.operations > 0) f.bound = row.operations / peak->rate;
         if (f.operation_rate) f.share = *f.operation_rate / peak->rate;
-        if (f.share && row.operations_error) f.share_error = *row.operations_error / row.operations * *f.share;
     }
     const std::string reference = result.reference();
     for (const Row& other : result.rows) {
@@ -161,51 +171,39 @@ Figures figures_of(const Result& result, const Row& row)
     return f;
 }
 
-std::vector<Ratio> box_to_bulb(const Result& result)
-{
-    return ratios(result, [](const Row& a, const Row& b) {
-        return same_device(a, b) && a.fractal == box && b.fractal == bulb && a.precision == b.precision;
-    });
-}
-
-std::vector<Ratio> double_to_float(const Result& result)
-{
-    return ratios(result, [](const Row& in_double, const Row& in_float) {
-        return same_device(in_double, in_float) && in_double.fractal == in_float.fractal &&
-               in_double.precision == Precision::f64 && in_float.precision == Precision::f32;
-    });
-}
-
-std::vector<Ratio> others_to_host(const Result& result)
+Questions questions_of(const Result& result)
 {
     const std::string host = result.host(), reference = result.reference();
-    return ratios(result, [&](const Row& other, const Row& own) {
-        return own.backend == host && other.backend != host && other.backend != reference &&
-               other.fractal == own.fractal && other.precision == own.precision;
-    });
-}
-
-std::vector<Ratio> to_first_value(const Result& result)
-{
-    std::vector<Ratio> found;
+    Questions found{.box_to_bulb = ratios(result,
+                                          [](const Row& a, const Row& b) {
+                                              return same_device(a, b) && a.fractal == box && b.fractal == bulb &&
+                                                     a.precision == b.precision;
+                                          }),
+                    .double_to_float = ratios(result,
+                                              [](const Row& a, const Row& b) {
+                                                  return same_device(a, b) && a.fractal == b.fractal &&
+                                                         a.precision == Precision::f64 && b.precision == Precision::f32;
+                                              }),
+                    .others_to_host = ratios(result,
+                                             [&](const Row& a, const Row& b) {
+                                                 return b.backend == host && a.backend != host &&
+                                                        a.backend != reference && a.fractal == b.fractal &&
+                                                        a.precision == b.precision;
+                                             }),
+                    .to_first_value = {},
+                    .to_previous_value = {}};
     for (const Row& row : result.rows) {
-        const Row& first =
-            *std::ranges::find_if(result.rows, [&](const Row& r) { return &r == &row || same_sweep(result, r, row); });
-        if (&first != &row && first.timed() && row.timed()) found.push_back(ratio_of(row, first));
-    }
-    return found;
-}
-
-std::vector<Ratio> to_previous_value(const Result& result)
-{
-    std::vector<Ratio> found;
-    for (const Row& row : result.rows) {
+        const Row* first = nullptr;
         const Row* previous = nullptr;
         for (const Row& other : result.rows) {
             if (&other == &row) break;
-            if (other.timed() && same_sweep(result, other, row) && same_shape(other, row)) previous = &other;
+            if (!same_sweep(result, other, row)) continue;
+            if (first == nullptr) first = &other;
+            if (other.timed() && same_shape(other, row)) previous = &other;
         }
-        if (previous != nullptr && row.timed()) found.push_back(ratio_of(row, *previous));
+        if (!row.timed()) continue;
+        if (first != nullptr && first->timed()) found.to_first_value.push_back(ratio_of(row, *first));
+        if (previous != nullptr) found.to_previous_value.push_back(ratio_of(row, *previous));
     }
     return found;
 }
@@ -220,11 +218,7 @@ Result derived(Result result)
         row.application = row.backend + (scalar ? "-scalar" : "");
         row.figures = row.timed() ? std::optional(figures_of(result, row)) : std::nullopt;
     }
-    result.questions = {.box_to_bulb = box_to_bulb(result),
-                        .double_to_float = double_to_float(result),
-                        .others_to_host = others_to_host(result),
-                        .to_first_value = to_first_value(result),
-                        .to_previous_value = to_previous_value(result)};
+    result.questions = questions_of(result);
     return result;
 }
 

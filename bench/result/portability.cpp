@@ -8,7 +8,6 @@
 #include <compare>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -25,8 +24,8 @@ constexpr int draws = 1000;
 struct Entry {
     const Result* result;
     const Row* row;
-    std::vector<double> times;         // kernel times of all runs
-    std::vector<double> logarithms{};  // logarithms of the runs' medians; empty if there is only one run
+    std::vector<double> times;    // kernel times of all runs
+    std::vector<double> medians;  // of the runs
 };
 
 struct Problem {
@@ -47,19 +46,15 @@ using Seconds = std::map<std::pair<std::string, std::string>, double>;  // by ap
 // scatter within that run.
 double drawn(const Entry& entry, std::mt19937_64& random)
 {
-    const std::vector<double>& x = entry.logarithms;
-    if (x.empty()) {
+    if (entry.medians.size() < 2) {
         std::vector<double> times;
         for (std::size_t i = 0; i < entry.times.size(); ++i)
             times.push_back(entry.times[random() % entry.times.size()]);
         return median(std::move(times));
     }
-    const auto n = static_cast<double>(x.size());
-    const double mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
-    double squares = 0;
-    for (const double value : x) squares += (value - mean) * (value - mean);
-    std::student_t_distribution<double> t(n - 1);
-    return std::exp(mean + t(random) * std::sqrt(squares / (n - 1) / n));
+    const Moments m = moments(entry.medians);
+    std::student_t_distribution<double> t(m.degrees);
+    return std::exp(m.mean + t(random) * std::sqrt(m.variance_of_mean));
 }
 
 // Times of all backends on all platforms for one problem, and the efficiencies derived from them.
@@ -75,10 +70,7 @@ public:
         if (!row.timed() || !std::ranges::all_of(times, [](double s) { return s > 0; })) return;
         Entry& entry = entries_[{row.backend, row.platform}];
         if (entry.row != nullptr && median(times) >= median(entry.times)) return;
-        entry = {&result, &row, times};
-        const std::vector<double> medians = run_medians(row);
-        if (medians.size() < 2) return;
-        for (const double seconds : medians) entry.logarithms.push_back(std::log(seconds));
+        entry = {&result, &row, times, run_medians(row)};
     }
 
     // Records that the result contains this backend without a device. The backend then counts as unsupported on all of

@@ -27,6 +27,7 @@ struct Sample {
     int round = 0;                                          // index within that run
     double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
     double host = 0;
+    std::optional<double> joules{};  // of a picture, on average (bench/measure/telemetry.h); nullopt: unknown
 
     // Adds the times of a picture.
     void add(const Timings& t)
@@ -79,12 +80,12 @@ struct Figures {
     // Fraction of the wall time that upload, host and readback leave unaccounted for; median over the samples. Absent
     // if a sample consists of several pictures from a fresh renderer, because its wall time then has further parts.
     std::optional<double> unaccounted;
+    std::optional<double> joules;                  // energy of a picture, mean over the samples
     double pixel_rate = 0;                         // pixels per second of kernel time
     double estimate_rate = 0, iteration_rate = 0;  // DE evaluations and DE iterations per second of kernel time
     std::optional<double> operation_rate;          // counted operations per second of kernel time
     std::optional<double> peak;                    // the platform's peak in this precision, operations per second
     std::optional<double> share;                   // operation_rate / peak
-    std::optional<double> share_error;             // standard error of `share` from sampling the operation count
     std::optional<double> bound;                   // seconds that the counted operations take at the peak
     // Wall time of the reference, in double and exact mode, for the same picture / this configuration's wall time. For
     // the reference itself: 1, without an interval.
@@ -115,8 +116,6 @@ struct Row {
     double step_factor = 0, unsettled = 0;
     Work work;              // of one picture
     double operations = 0;  // of one picture, from the counting kernel; 0: unknown
-    // Standard error of `operations`, which are counted on a sample of the pixels; nullopt: unknown.
-    std::optional<double> operations_error;
     std::vector<Sample> samples;
     // Name under which the configuration is compared; set by derived(). It is the name of the backend, but
     // "openmp-scalar" for the scalar kernel in the studies standard and demo, which also contain openmp's packs.

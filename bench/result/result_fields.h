@@ -81,7 +81,8 @@ inline constexpr auto fields_of<Sample> =
                 field("wall", &Sample::wall, "", rules::required_seconds),
                 field("upload", &Sample::upload, "", rules::seconds),
                 field("readback", &Sample::readback, "", rules::seconds),
-                field("host", &Sample::host, "", rules::seconds)};
+                field("host", &Sample::host, "", rules::seconds),
+                field("joules", &Sample::joules, "", rules::energy)};
 
 template <>
 inline constexpr auto fields_of<Figures> = Description{
@@ -96,14 +97,14 @@ inline constexpr auto fields_of<Figures> = Description{
            .max = 1,
            .about = "Fraction of the wall time that upload, host and readback leave unaccounted for. null if a sample "
                     "is several pictures from a fresh renderer, as its wall time has further parts."}),
+    field("joules", &Figures::joules, "joules",
+          {.about = "Energy of a picture: the machine's processors (RAPL) and NVIDIA GPUs (NVML)."}),
     field("pixels_per_second", &Figures::pixel_rate, "pixels_per_s"),
     field("de_calls_per_second", &Figures::estimate_rate, "de_calls_per_s"),
     field("iterations_per_second", &Figures::iteration_rate, "iterations_per_s"),
     field("operations_per_second", &Figures::operation_rate, "operations_per_s"),
     field("peak_operations_per_second", &Figures::peak, "peak_operations_per_s"),
     field("share_of_peak", &Figures::share, "share_of_peak"),
-    field("share_of_peak_standard_error", &Figures::share_error, "share_of_peak_standard_error",
-          {.about = "The part that comes from counting operations on a sample of the pixels only."}),
     field("bound_seconds", &Figures::bound, "bound_s"),
     field("speed_up", &Figures::speed_up, "speed_up"),
     field("over_scalar", &Figures::over_scalar, "over_scalar",
@@ -149,8 +150,6 @@ inline constexpr auto fields_of<Row> = Description{
                     "are few."}),
     field("work", &Row::work),
     field("operations", &Row::operations, "operations", rules::rate),
-    field("operations_standard_error", &Row::operations_error, "operations_standard_error",
-          rules::about(rules::rate, "0 if all pixels were counted; null: unknown.")),
     field("samples", &Row::samples, "samples", rules::required),
     derived_field("figures", &Row::figures)};
 
@@ -168,38 +167,25 @@ inline constexpr auto fields_of<ActiveLanes> =
                 field("in_iterations", &ActiveLanes::in_iterations, "", rules::fraction)};
 
 template <>
-inline constexpr auto fields_of<LaneUse> = Description{"lane_use",
-                                                       field("lanes", &LaneUse::lanes),
-                                                       field("together", &LaneUse::together, "", rules::required),
-                                                       field("refilled", &LaneUse::refilled),
-                                                       field("together_standard_error", &LaneUse::together_error),
-                                                       field("refilled_standard_error", &LaneUse::refilled_error)};
-
-template <>
-inline constexpr auto fields_of<CountErrors> =
-    Description{"count_errors", field("operations_per_iteration", &CountErrors::per_iteration, "", rules::rate),
-                field("march_iterations_per_de_call", &CountErrors::per_estimate, "", rules::rate)};
-
-template <>
-inline constexpr auto fields_of<Count> =
-    Description{"count",
-                field("pixels", &Count::pixels),
-                field("hits", &Count::hits),
-                field("work", &Count::work),
-                field("stages", &Count::stages),
-                derived_field("operations_per_iteration", &Count::per_iteration),
-                field("march_de_calls", &Count::march_estimates),
-                field("march_iterations", &Count::march_iterations),
-                field("lane_use", &Count::lane_use),
-                field("standard_errors", &Count::errors, "",
-                      {.about = "Of quantities that come from a sample of the pixels; 0 if all pixels were counted."})};
+inline constexpr auto fields_of<LaneUse> =
+    Description{"lane_use", field("lanes", &LaneUse::lanes), field("together", &LaneUse::together, "", rules::required),
+                field("refilled", &LaneUse::refilled)};
 
 template <>
 inline constexpr auto fields_of<Counted> =
-    extended(Description{"counted", field("fractal", &Counted::fractal, "", rules::required),
-                         field("precision", &Counted::precision, "", rules::required),
-                         field("mode", &Counted::mode, "", rules::required), field("setting", &Counted::setting)},
-             fields_of<Count>);
+    Description{"counted",
+                field("fractal", &Counted::fractal, "", rules::required),
+                field("precision", &Counted::precision, "", rules::required),
+                field("mode", &Counted::mode, "", rules::required),
+                field("setting", &Counted::setting),
+                field("pixels", &Counted::pixels),
+                field("hits", &Counted::hits),
+                field("work", &Counted::work),
+                field("stages", &Counted::stages),
+                derived_field("operations_per_iteration", &Counted::per_iteration),
+                field("march_de_calls", &Counted::march_estimates),
+                field("march_iterations", &Counted::march_iterations),
+                field("lane_use", &Counted::lane_use)};
 
 template <>
 inline constexpr auto fields_of<Ratio> =

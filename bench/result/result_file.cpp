@@ -6,8 +6,6 @@
 #include <set>
 
 #include "bench/result/figures.h"
-#include "bench/result/gpu_reading.h"
-#include "bench/result/differences.h"
 #include "bench/result/portability.h"
 #include "bench/result/result_file.h"
 #include "bench/result/result_fields.h"
@@ -22,24 +20,18 @@ namespace {
 constexpr std::size_t one_liner = -1;  // depth of a value that takes one line
 constexpr std::string_view result_kind = "result file of bench --json";
 
-// Returns the JSON in the text; if the text is not JSON, a value for which is_discarded() is true.
 Json parsed(const std::string& text, const std::string& name)
 {
     try {
         return parse_json<Json>(text, name);
     } catch (const Json::exception&) {
-        return Json::value_t::discarded;
+        throw InputError(name + ": not JSON, expected a result file of bench --json");
     }
 }
 
-// Throws Refusal if two configurations have the same name, if operation counts have no lane utilisation, or if a GPU's
-// readings are impossible.
+// Throws Refusal if two configurations have the same name, or if operation counts have no lane utilisation.
 void check(const Result& result)
 {
-    if (const Json gpus = value_at(result.environment, "/telemetry/gpus"); gpus.is_array()) {
-        std::vector<GpuReading> readings;
-        at_place("environment.telemetry.gpus", [&] { from_json(gpus, readings); });
-    }
     std::set<std::string> names;
     for (const Row& row : result.rows) {
         if (!names.insert(row.name()).second) throw Refusal{"rows", printable(row.name(), 200) + " is there twice"};
@@ -95,25 +87,19 @@ Result result_from_json(const Json& json, const std::string& name)
 
 Result parse_result(const std::string& text, const std::string& name)
 {
-    const Json json = parsed(text, name);
-    if (json.is_discarded()) throw InputError(name + ": not JSON, expected a result file of bench --json");
-    return result_from_json(json, name);
+    return result_from_json(parsed(text, name), name);
 }
 
-Result read_result(const std::string& path) { return parse_result(text_of_file(path, result_kind), path); }
+Json json_in(const std::string& path) { return parsed(text_of_file(path, result_kind), path); }
+
+Result read_result(const std::string& path) { return result_from_json(json_in(path), path); }
 
 std::optional<Result> read_if_result(const std::string& path)
 {
-    const Json json = parsed(text_of_file(path, result_kind), path);
-    if (schema_in(json) != result_schema) return std::nullopt;
-    return result_from_json(json, path);
-}
-
-Json json_in(const std::string& path)
-{
-    Json json = parsed(text_of_file(path, result_kind), path);
-    if (!schema_in(json).is_string()) throw InputError(path + ": not a file of bench, expected a result of --json");
-    return json;
+    const std::string text = text_of_file(path, result_kind);
+    if (text.find(result_schema) == std::string::npos) return std::nullopt;
+    const Json json = parsed(text, path);
+    return schema_in(json) == result_schema ? std::optional(result_from_json(json, path)) : std::nullopt;
 }
 
 std::vector<std::string> result_files(const std::vector<std::string>& paths)

@@ -21,10 +21,10 @@ nlohmann::ordered_json json_of(const Result& result);
 Result result_from_json(const nlohmann::ordered_json& json, const std::string& name);
 Result parse_result(const std::string& text, const std::string& name);
 Result read_result(const std::string& path);
-// Reads a result. Returns nullopt if the file is not a result, whether it is JSON or not. Throws InputError if the file
-// cannot be read or is a damaged result.
+// Reads a result. Returns nullopt if the file is of another kind, whether it is JSON or not. Throws InputError if the
+// file cannot be read or is a damaged result.
 std::optional<Result> read_if_result(const std::string& path);
-// Returns the contents of a file of any kind. Throws InputError if it cannot be read or is not a file of bench.
+// Returns the contents of a file of any kind. Throws InputError if it cannot be read or is not JSON.
 nlohmann::ordered_json json_in(const std::string& path);
 // Returns `paths` with each folder replaced by the paths of all files in it and its subfolders whose names end in
 // .json, sorted.

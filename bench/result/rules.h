@@ -17,6 +17,7 @@ namespace rules {
 // compared.
 inline constexpr Rule seconds{.min = -1e9, .max = 1e9, .timed = true};
 inline constexpr Rule required_seconds{.min = -1e9, .max = 1e9, .timed = true, .required = true};
+inline constexpr Rule energy{.max = 1e9};
 inline constexpr Rule real{.min = -1e6, .max = 1e6};
 inline constexpr Rule rate{.max = 1e30, .timed = true};
 inline constexpr Rule fraction{.max = 1};

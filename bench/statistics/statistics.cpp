@@ -10,26 +10,6 @@
 namespace mandelmarch::bench {
 namespace {
 
-struct Moments {
-    double mean = 0;
-    double variance_of_mean = 0;
-    double degrees = 0;
-};
-
-// Returns moments of the values' logarithms. Logarithms are used because times are positive, and disturbances multiply
-// them.
-Moments moments(std::span<const double> values)
-{
-    const auto n = static_cast<double>(values.size());
-    double sum = 0;
-    for (const double value : values) sum += std::log(value);
-    Moments m{.mean = sum / n, .degrees = n - 1};
-    double squares = 0;
-    for (const double value : values) squares += (std::log(value) - m.mean) * (std::log(value) - m.mean);
-    m.variance_of_mean = squares / (n - 1) / n;
-    return m;
-}
-
 // Tests whether a ratio differs from 1 by more than the margin. `shift`: the difference of the means of the logarithms.
 Difference tested(const Moments& shift, double margin)
 {
@@ -75,6 +55,18 @@ std::optional<Interval> holding(std::optional<Interval> interval, double value)
 }
 
 }  // namespace
+
+Moments moments(std::span<const double> values)
+{
+    const auto n = static_cast<double>(values.size());
+    double sum = 0;
+    for (const double value : values) sum += std::log(value);
+    Moments m{.mean = sum / n, .degrees = n - 1};
+    double squares = 0;
+    for (const double value : values) squares += (std::log(value) - m.mean) * (std::log(value) - m.mean);
+    m.variance_of_mean = squares / (n - 1) / n;
+    return m;
+}
 
 std::optional<double> Summary::half_width() const
 {
@@ -205,31 +197,6 @@ Difference difference(std::span<const double> old_values, std::span<const double
 }
 
 Difference paired_difference(std::span<const double> ratios, double margin) { return tested(moments(ratios), margin); }
-
-// The error of the ratio is the error of the sum of the residuals, `part - ratio * whole`, divided by the sum of
-// `whole` (Cochran, Sampling Techniques, 6.3). With one patch per stratum, the variance within a stratum cannot be
-// computed. It is estimated by half the squared difference of the residuals in neighbouring strata. This estimate tends
-// to be too large if strata differ (Wolter, Introduction to Variance Estimation, 8.2, estimator v2).
-PartRatio ratio_of_sums(std::span<const Part> blocks)
-{
-    Part sum;
-    for (const Part& block : blocks) {
-        sum.part += block.part;
-        sum.whole += block.whole;
-    }
-    if (!(sum.whole > 0)) return {};
-    PartRatio found{.ratio = sum.part / sum.whole, .standard_error = sum.part / sum.whole};
-    if (std::ranges::count_if(blocks, [](const Part& block) { return block.whole > 0; }) < 2) return found;
-    const auto residual = [&](const Part& block) { return block.part - *found.ratio * block.whole; };
-    double squares = 0;
-    for (std::size_t i = 1; i < blocks.size(); ++i) {
-        const double step = residual(blocks[i]) - residual(blocks[i - 1]);
-        squares += step * step;
-    }
-    const auto n = static_cast<double>(blocks.size());
-    found.standard_error = std::sqrt(n / (2 * (n - 1)) * squares) / sum.whole;
-    return found;
-}
 
 // Holm (Scandinavian Journal of Statistics 6, 1979): the smallest of m p-values is multiplied by m, the next by m - 1,
 // and so on. A product smaller than the one before is raised to it.

@@ -47,6 +47,14 @@ Summary summary(const ValuesByRun& runs);
 // number of runs minus one. Returns nullopt if there are fewer than two runs, or if a median is not above 0.
 std::optional<Interval> run_interval(std::span<const double> medians);
 
+// Moments of the logarithms of values, which are above 0. Logarithms are used because disturbances multiply times.
+struct Moments {
+    double mean = 0;
+    double variance_of_mean = 0;
+    double degrees = 0;  // of freedom
+};
+Moments moments(std::span<const double> values);
+
 // Returns the median of each run, in the order of the runs.
 std::vector<double> medians_of(const ValuesByRun& runs);
 
@@ -88,21 +96,6 @@ struct Quotient {
 // that in the other. The interval is run_interval() of these ratios. Otherwise it is median_interval() of the ratios of
 // the two times in each round.
 Quotient quotient(const ValuesByRun& numerator, const ValuesByRun& denominator);
-
-// Contribution of one sampled patch to the numerator and the denominator of a ratio of sums.
-struct Part {
-    double part = 0, whole = 0;
-};
-
-struct PartRatio {
-    std::optional<double> ratio;  // sum of `part` / sum of `whole`; nullopt if the latter is 0
-    // If only one patch has a `whole` above 0, the variance is unknown; the standard error is then set to the ratio.
-    double standard_error = 0;
-};
-
-// Estimates the ratio of two sums over a picture from a stratified sample of it. `blocks`: one patch from each stratum,
-// in the order of the strata.
-PartRatio ratio_of_sums(std::span<const Part> blocks);
 
 // Returns the p-values after Holm's correction, in the given order. If all corrected values up to 0.05 are called
 // significant, the probability of at least one false alarm is at most 0.05.

@@ -54,7 +54,7 @@ bool regression(const std::vector<Compared>& rows)
     });
 }
 
-std::string table_of(const std::vector<Compared>& rows, int decimals)
+std::string table_of(const std::vector<Compared>& rows)
 {
     Table table({"<row", ">new/old", "<95 % interval", ">p, Holm", ">units", "<verdict"});
     for (const Compared& row : rows) {
@@ -63,9 +63,8 @@ std::string table_of(const std::vector<Compared>& rows, int decimals)
             continue;
         }
         const Difference& d = row.difference;
-        table.add(printable(row.name), fmt::format("{:.{}f}", d.ratio, decimals),
-                  fmt::format("[{:.{}f}, {:.{}f}]", d.interval.low, decimals, d.interval.high, decimals),
-                  fmt::format("{:.2g}", row.p),
+        table.add(printable(row.name), fmt::format("{:.3f}", d.ratio),
+                  fmt::format("[{:.3f}, {:.3f}]", d.interval.low, d.interval.high), fmt::format("{:.2g}", row.p),
                   row.old_units == row.new_units ? std::to_string(row.new_units)
                                                  : fmt::format("{}, {}", row.old_units, row.new_units),
                   name_of(row.verdict));

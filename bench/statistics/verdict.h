@@ -49,9 +49,8 @@ void set_verdicts(std::vector<Compared>& rows, double within);
 // Returns true if a configuration is slower, wrong or missing in the new result.
 bool regression(const std::vector<Compared>& rows);
 
-// Returns a table of the verdicts, with the ratios to `decimals` digits after the point, in lines of at most 120
-// characters.
-std::string table_of(const std::vector<Compared>& rows, int decimals);
+// Returns a table of the verdicts, in lines of at most 120 characters.
+std::string table_of(const std::vector<Compared>& rows);
 
 // Returns a line with the number of configurations with each verdict: "verdicts: 1 faster, 2 same within 2 %, 4
 // undecided (more runs would tell: --runs)". The verdicts new, no speed and not compared are left out. Returns an empty

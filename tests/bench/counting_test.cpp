@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include "bench/measure/views.h"
@@ -55,7 +54,7 @@ TEST(Counting, ByHand)
 }
 
 // multiply_add_chains() does 18 additions that belong to no round: 9 before the first round and 9 after the last.
-TEST(Counting, ThePeakDoesAsManyOperationsAsItIsCreditedWith)
+TEST(Counting, PeakKernelHasTheOperationsOfItsRate)
 {
     for (const int rounds : {0, 1, 7}) {
         const Operations all = counted([&] { text::multiply_add_chains(1, peak_factor, peak_addend, rounds); });
@@ -64,7 +63,7 @@ TEST(Counting, ThePeakDoesAsManyOperationsAsItIsCreditedWith)
     }
 }
 
-TEST(Counting, TheWorkIsThatOfABackend)
+TEST(Counting, WorkIsThatOfABackend)
 {
     const Registry registry = all_backends();
     for (const char* name : {"bulb", "box"}) {
@@ -88,7 +87,7 @@ TEST(Counting, TheWorkIsThatOfABackend)
 }
 
 // Only fast mode has operations in the stage `refine`. In exact mode most operations are in the stage `march`.
-TEST(Counting, Stages)
+TEST(Counting, OnlyFastModeRefines)
 {
     const Scene scene = official_scene("box", 160, 120);
     const auto of = [](const Count& count, Stage stage) {
@@ -103,121 +102,19 @@ TEST(Counting, Stages)
     EXPECT_GT(exact.hits, 0U);
 }
 
-// A quantity measured on a picture: its estimate from a sample of the pixels, the standard error of the estimate, and
-// the true value from all pixels.
-struct Figure {
-    std::string what;
-    double sampled, error, truth;
-
-    double relative_error() const { return error / truth; }
-    // Returns the difference between the estimate and the true value, as a multiple of the standard error.
-    double off() const { return std::abs(sampled - truth) / error; }
-};
-
-using Choose = std::function<Count(const Scene& scene)>;
-
-// Returns the quantities of exact pictures in double: three views of each of two fractals. `sample` counts the
-// operations of the pixels that it chooses.
-std::vector<Figure> sampled_figures(const Choose& sample)
+// A picture with many pixels is counted in a smaller one. Its aspect ratio is kept, so that the operations of an
+// iteration stay nearly the same. Negative control: another view has other ones.
+TEST(Counting, SmallerPictureHasTheOperationsOfAnIteration)
 {
-    const auto per_estimate = [](const Count& count) {
-        return static_cast<double>(count.march_iterations) / static_cast<double>(count.march_estimates);
-    };
-    std::vector<Figure> figures;
-    for (const char* fractal : {"bulb", "box"}) {
-        for (const char* name : {"official", "far", "close"}) {
-            const std::vector<View> views = views_of(fractal, 272, 272);
-            const Scene& scene = std::ranges::find(views, name, &View::name)->scene;
-            const Count part = sample(scene);
-            const Count all = count_operations(scene, {.most_pixels = scene.width * scene.height});
-            EXPECT_EQ(all.errors->per_iteration, 0) << "every pixel";
-            EXPECT_LT(part.pixels, all.pixels / 3);
-            const std::string where = fmt::format("{} {}, ", fractal, name);
-            figures.push_back({where + "operations an iteration", part.per_iteration(), part.errors->per_iteration,
-                               all.per_iteration()});
-            figures.push_back(
-                {where + "iterations a call", per_estimate(part), part.errors->per_estimate, per_estimate(all)});
-            for (std::size_t i = 0; i < all.lane_use.size(); ++i) {
-                const LaneUse& use = part.lane_use[i];
-                const LaneUse& truth = all.lane_use[i];
-                const std::string lanes = fmt::format("{}{} lanes", where, use.lanes);
-                figures.push_back({lanes, use.together.in_iterations, use.together_error->in_iterations,
-                                   truth.together.in_iterations});
-                figures.push_back({lanes + " refilled", use.refilled->in_iterations, use.refilled_error->in_iterations,
-                                   truth.refilled->in_iterations});
-            }
-        }
-    }
-    return figures;
-}
-
-TEST(Counting, SamplesStandForAllPixelsWithinTheirErrors)
-{
-    constexpr double most = 4;  // standard errors
-    for (const Figure& figure :
-         sampled_figures([](const Scene& scene) { return count_operations(scene, {.most_pixels = 18000}); })) {
-        SCOPED_TRACE(fmt::format("{}: {:.4f} +- {:.4f}, {:.4f} of all pixels", figure.what, figure.sampled,
-                                 figure.error, figure.truth));
-        EXPECT_LT(figure.off(), most);
-        EXPECT_LT(figure.relative_error(), figure.what.find("lanes") == std::string::npos ? 0.1 : 0.3);
-    }
-}
-
-// Negative control: if all patches of a sample are in one quarter of the picture, the errors of several quantities
-// exceed four standard errors.
-TEST(Counting, ABiasedSampleIsOffByMoreThanItsErrors)
-{
-    int off = 0;
-    const auto figures = sampled_figures([](const Scene& scene) {
-        std::vector<Block> corner = all_blocks(scene.width, scene.height);
-        std::erase_if(
-            corner, [&](const Block& block) { return block.column > scene.width / 2 || block.row > scene.height / 2; });
-        return count_operations(scene, {}, corner, false);
-    });
-    for (const Figure& figure : figures) off += figure.off() > 4 ? 1 : 0;
-    EXPECT_GT(off, 5) << "of " << figures.size();
-}
-
-// The picture's size is not a multiple of the patches' size. Therefore the edges cut patches. The mean position of the
-// sampled pixels must be the middle of the picture. A sample on a lattice that begins in a corner fails this.
-TEST(Sample, IsSpreadOverTheWholePicture)
-{
-    constexpr int width = 100;
-    constexpr int height = 60;
-    EXPECT_EQ(all_blocks(width, height).size(), 28U);
-    std::size_t pixels = 0;
-    for (const Block& block : all_blocks(width, height)) each_pixel(block, width, height, [&](int, int) { ++pixels; });
-    EXPECT_EQ(pixels, 6000U);
-    double column = 0;
-    double row = 0;
-    const std::vector<Block> sample = sample_of_pixels(width, height, 600);
-    ASSERT_EQ(sample.size(), 600U);
-    for (const Block& pixel : sample) {
-        EXPECT_EQ(pixel.side, 1);
-        ASSERT_LT(pixel.column, width);
-        ASSERT_LT(pixel.row, height);
-        column += pixel.column / 600.0;
-        row += pixel.row / 600.0;
-    }
-    EXPECT_NEAR(column, 49.5, 1);
-    EXPECT_NEAR(row, 29.5, 1);
-    EXPECT_EQ(sample_of_blocks(width, height, 2560).size(), 10U);
-}
-
-TEST(Counting, Lanes)
-{
-    const Scene scene = official_scene("box", 96, 96);
-    const Count count = count_operations(scene, {.lanes = {1, 16, 32, 64}});
-    ASSERT_EQ(count.lane_use.size(), 4U);
-    EXPECT_EQ(count.lane_use[0].together.in_steps, 1);
-    EXPECT_EQ(count.lane_use[0].together.in_iterations, 1);
-    for (std::size_t i = 1; i < count.lane_use.size(); ++i) {
-        const LaneUse& use = count.lane_use[i];
-        EXPECT_LT(use.together.in_steps, count.lane_use[i - 1].together.in_steps);
-        EXPECT_LT(use.together.in_iterations, use.together.in_steps);
-        EXPECT_GT(use.refilled->in_steps, use.together.in_steps);
-        EXPECT_GT(use.refilled->in_iterations, use.together.in_iterations);
-    }
+    const std::vector<View> views = views_of("bulb", 272, 136);
+    const Scene& scene = views.front().scene;
+    const Count whole = count_operations(scene, {});
+    const Count part = count_operations(scene, {.most_pixels = 4096});
+    EXPECT_EQ(whole.pixels, 272U * 136);
+    EXPECT_LE(part.pixels, 4096U);
+    EXPECT_NEAR(part.per_iteration() / whole.per_iteration(), 1, 0.002);
+    const Scene& far = std::ranges::find(views, "far", &View::name)->scene;
+    EXPECT_GT(std::abs(count_operations(far, {}).per_iteration() / whole.per_iteration() - 1), 0.01);
 }
 
 // A vector has two lanes. Four rays take three, one, two and no steps; `rays` has the iterations of each step.
@@ -230,15 +127,15 @@ TEST(Counting, LanesByHand)
     const std::vector<RaySteps> rays{{4, 1, 1}, {9}, {5, 5}, {}};
     LaneCount count(2);
     count.add(rays);
-    const LaneUse use = LaneCount::use({{count}}, true);
+    const LaneUse use = count.use();
     EXPECT_EQ(use.lanes, 2);
     EXPECT_DOUBLE_EQ(use.together.in_steps, 6.0 / 10);
     EXPECT_DOUBLE_EQ(use.together.in_iterations, 25.0 / (2 * 21));
     EXPECT_DOUBLE_EQ(use.refilled->in_steps, 6.0 / 6);
     EXPECT_DOUBLE_EQ(use.refilled->in_iterations, 25.0 / (2 * 19));
-    const LaneUse twice = LaneCount::use({{count, count}}, false);
-    EXPECT_DOUBLE_EQ(twice.refilled->in_iterations, use.refilled->in_iterations);
-    EXPECT_EQ(twice.refilled_error->in_iterations, 0) << "blocks that are alike";
+    LaneCount twice = count;
+    twice.add(count);
+    EXPECT_DOUBLE_EQ(twice.use().refilled->in_iterations, use.refilled->in_iterations);
 }
 
 // A power that is not an integer is computed with trigonometric functions. The picture then has about the same number

@@ -48,12 +48,6 @@ inline int called(const std::vector<Compared>& rows)
                             std::ranges::count(rows, Verdict::slower, &Compared::verdict));
 }
 
-// Returns true if a p-value is significant after Holm's correction.
-inline bool any_significant(const std::vector<double>& p)
-{
-    return std::ranges::any_of(holm(p), [](double adjusted) { return adjusted < significance; });
-}
-
 inline double same(int /*row*/) { return 1; }
 
 }  // namespace mandelmarch::bench

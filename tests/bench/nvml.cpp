@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stand-in for NVIDIA's libnvidia-ml: one GPU, each of whose readings has another value. It lacks the energy of older
-// GPUs. The values differ, so that a test notices if one is taken for another.
+// A stand-in for NVIDIA's libnvidia-ml: one GPU, which has used 2 J more at each reading of its energy. The values of
+// the readings differ, so that a test notices if one is taken for another.
 #include <cstdio>
 
 extern "C" {
@@ -32,21 +32,16 @@ int nvmlDeviceGetPowerUsage(void* /*device*/, unsigned* milliwatts)
     return 0;
 }
 
-int nvmlDeviceGetTemperature(void* /*device*/, int /*sensor*/, unsigned* celsius)
-{
-    *celsius = 36;
-    return 0;
-}
-
 int nvmlDeviceGetClockInfo(void* /*device*/, unsigned clock, unsigned* megahertz)
 {
     *megahertz = clock == 1 ? 1755 : 2619;
     return 0;
 }
 
-int nvmlDeviceGetMaxClockInfo(void* /*device*/, unsigned /*clock*/, unsigned* megahertz)
+int nvmlDeviceGetTotalEnergyConsumption(void* /*device*/, unsigned long long* millijoules)
 {
-    *megahertz = 1980;
+    static unsigned long long energy = 5'000'000;
+    *millijoules = energy += 2000;
     return 0;
 }
 

@@ -74,7 +74,7 @@ nlohmann::ordered_json row_of(const Ran& ran, const std::string& backend)
     return {};
 }
 
-TEST(BenchProgram, WithoutADefectEveryRowHasASpeed)
+TEST(BenchProgram, EveryRowHasASpeedWithoutADefect)
 {
     for (const char* mode : {"exact", "fast"}) {
         const Ran ran = run(Defect::none, small(mode));
@@ -107,22 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Defects, BrokenPicture,
                          testing::Values(Defect::one_byte, Defect::not_a_number, Defect::upside_down,
                                          Defect::wrong_later, Defect::stale, Defect::dies_later));
 
-// The table of the study `demo` shows the same failures.
-TEST(BenchProgram, TheDemoShowsWrongPictures)
-{
-    const std::vector<std::string> arguments{"--study", "demo", "--size", "32x32", "--repetitions", "1"};
-    const Ran sound = run(Defect::none, arguments);
-    EXPECT_EQ(sound.code, exit_success) << sound.err;
-    EXPECT_NE(sound.out.find("mandelbox   openmp-scalar "), std::string::npos) << sound.out;
-    EXPECT_EQ(sound.out.find("FAILED"), std::string::npos) << sound.out;
-    const Ran broken = run(Defect::one_byte, arguments);
-    EXPECT_EQ(broken.code, exit_failure);
-    EXPECT_NE(broken.out.find("mandelbox   broken        double    exact FAILED: the picture is wrong"),
-              std::string::npos)
-        << broken.out;
-}
-
-TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
+TEST(BenchProgram, FewPixelsMayDifferInFastMode)
 {
     EXPECT_EQ(run(Defect::one_byte, small("fast")).code, exit_success);
     EXPECT_EQ(run(Defect::upside_down, small("fast")).code, exit_failure);
@@ -131,7 +116,7 @@ TEST(BenchProgram, InFastModeFewPixelsMayDifferButNotMany)
 
 // `--without refinement` changes the picture slightly. Therefore bench then verifies only that the same pixels hit the
 // fractal, and that all values are finite.
-TEST(BenchProgram, AblationProvesWhatIsHit)
+TEST(BenchProgram, AblationVerifiesHits)
 {
     const auto without = [](const Ran& ran, const std::string& technique) {
         for (const auto& row : ran.json["rows"]) {
@@ -157,7 +142,7 @@ TEST(BenchProgram, AblationProvesWhatIsHit)
     }
 }
 
-TEST(BenchProgram, WhatIsNotThereIsARowAndFine)
+TEST(BenchProgram, UnavailableBackendIsARow)
 {
     const Ran ran = run(Defect::hidden, small("exact"));
     EXPECT_EQ(ran.code, exit_success);
@@ -170,7 +155,7 @@ TEST(BenchProgram, WhatIsNotThereIsARowAndFine)
     EXPECT_NE(alone.err.find("hidden on purpose"), std::string::npos);
 }
 
-TEST(BenchProgram, ADeviceThatLacksAPrecisionIsARow)
+TEST(BenchProgram, DeviceThatLacksAPrecisionIsARow)
 {
     const Ran ran =
         run(Defect::refuses, {"--size", "32x32", "--fractal", "box", "--mode", "exact", "--repetitions", "1"});
@@ -185,16 +170,10 @@ TEST(BenchProgram, WrongArgumentsExitTwo)
                                                {"--fractal", "nosuch"},
                                                {"--precision", "half"},
                                                {"--size", "10"},
-                                               {"--size", "0x10"},
-                                               {"--size", "70000x10"},
-                                               {"--repetitions", "0"},
                                                {"--budget", "nan"},
-                                               {"--budget", "inf"},
                                                {"--study", "nosuch"},
-                                               {"--nosuch"},
                                                {"--filter=a,,b"},
-                                               {"--filter=" + std::string(20'000, '(')},
-                                               {"compare", "one.json"}}) {
+                                               {"--filter=" + std::string(20'000, '(')}}) {
         EXPECT_EQ(run(Defect::none, arguments).code, exit_usage) << arguments.front();
     }
 }
@@ -232,7 +211,7 @@ TEST(BenchProgram, FilterSelectsByPartsOrWholeNames)
 }
 
 // bench writes into the project's folder of results only if all its sources are committed.
-TEST(Outputs, KeptResultsAreOfCommittedSources)
+TEST(Outputs, KeptResultsOfChangedSourcesAreRefused)
 {
     namespace fs = std::filesystem;
     const TemporaryFolder folder;

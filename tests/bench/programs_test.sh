@@ -115,7 +115,7 @@ refused 'nosuch.*expected an executable' --backend program:./nosuch
 says_last 'right.*same file' --backend program:./right --fractal box --json right
 refused 'whose scenes differ' --study box-vs-bulb --fractal box --scene right --backend openmp
 says_last 'a backend of this build' equivalence --backend program:./right
-refused 'json.*--list' --list --json x.json
+refused 'json excludes --list' --list --json x.json
 says_last 'without --fractal' --backend program:./right --scene right
 expect 2 --backend program:./right --fractal box --scene nosuch.dat
 ! pgrep -f "$work/made_program" >/dev/null || fail "a program still runs"

@@ -31,7 +31,7 @@ Registry registry()
 
 void no_progress(double) {}
 
-TEST(Random, ComparesTheScenesThatTestsDraw)
+TEST(Random, ScenesAreThoseOfTests)
 {
     const RandomResult result =
         measure_random(registry(), {.fractals = default_fractals(), .scenes = 3, .sets = {1001, 77}}, no_progress);
@@ -60,7 +60,7 @@ TEST(Random, ComparesTheScenesThatTestsDraw)
 
 // The constants of relaxed(), fast.step_factor, tails and trials were tuned on scenes of other seeds. Double is precise
 // enough for all scenes. Therefore, in double, at most one scene in forty may be far off.
-TEST(Random, HoldsSetsToTheirShares)
+TEST(Random, SetsAreHeldToTheirLimits)
 {
     RandomOptions options{.fractals = default_fractals(), .scenes = 40, .sets = {7007}};
     const RandomResult held = measure_random(registry(), options, no_progress);
@@ -78,7 +78,7 @@ TEST(Random, HoldsSetsToTheirShares)
     EXPECT_TRUE(std::regex_search(to_console(missed), lines)) << to_console(missed);
 }
 
-TEST(Random, NamesWhatIsNotThere)
+TEST(Random, MissingBackendIsAnError)
 {
     EXPECT_THROW(measure_random(registry(), {.backend = "nosuch"}, no_progress), InputError);
     EXPECT_THROW(measure_random(registry(), {.backend = "vulkan"}, no_progress), Unavailable);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of result files: values that are read or rejected, and derived quantities.
+// Tests of results: values that are read or rejected, derived quantities, and results of several runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "bench/measure/runs.h"
 #include "bench/result/result_file.h"
 #include "bench/print/printers.h"
 #include "core/text/error.h"
@@ -30,7 +31,7 @@ std::string refusal_of(const std::string& text)
 
 // Ratios are computed round by round. Therefore the slow third round does not change them. The reference has no ratio,
 // because it does not run the kernel.
-TEST(ResultFile, OtherBackendsStandBesideTheHosts)
+TEST(ResultFile, OtherBackendsAreComparedWithTheHost)
 {
     const Result result = made_result({made_row("openmp", {1, 1, 9, 1, 1, 1, 1}),
                                        made_row("vulkan", {3, 3, 27, 3, 3, 3, 3}), made_row("reference", seven)});
@@ -43,7 +44,7 @@ TEST(ResultFile, OtherBackendsStandBesideTheHosts)
 
 // In the CSV, both the column application and the column backend distinguish the scalar kernel from the packs of the
 // same backend.
-TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
+TEST(ResultFile, ScalarKernelIsAnApplication)
 {
     Row scalar = made_row("openmp", {9, 9, 9, 9, 9, 9});
     scalar.sweep_value = "simd-width=1";
@@ -64,7 +65,7 @@ TEST(ResultFile, TheScalarTextIsAnApplicationByItself)
 // Ratios are computed round by round. Therefore the slow round does not change them. One row of the sweep has another
 // aspect ratio, and is left out of the comparisons with the previous value. The last row has no sweep value, and does
 // not belong to the sweep.
-TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
+TEST(ResultFile, PointsOfASweepAreComparedWithTheFirstAndThePrevious)
 {
     std::vector<Row> rows{made_row("openmp", {1, 1, 9, 1, 1, 1, 1}), made_row("openmp", {3, 3, 27, 3, 3, 3, 3}),
                           made_row("openmp", {5, 5, 45, 5, 5, 5, 5}), made_row("openmp", {12, 12, 108, 12, 12, 12, 12}),
@@ -84,7 +85,7 @@ TEST(ResultFile, PointsOfASweepStandBesideTheFirstAndThePrevious)
 
 // Each rung is compared with the rung before, although the two differ in backend, precision or mode. Negative control:
 // in any other study, such rows are not compared.
-TEST(ResultFile, RungsOfALadderStandBesideTheOneBefore)
+TEST(ResultFile, RungsOfALadderAreComparedWithTheOneBefore)
 {
     std::vector<Row> rows{made_row("reference", {12, 12, 12, 12, 12, 12}), made_row("openmp", {6, 6, 6, 6, 6, 6}),
                           made_row("openmp", {2, 2, 2, 2, 2, 2})};
@@ -104,33 +105,23 @@ TEST(ResultFile, RungsOfALadderStandBesideTheOneBefore)
 }
 
 // Each of these values is an error, with one line that has the file, the place and the value.
-TEST(ResultFile, ValuesThatNoStudyHasAreRefused)
+TEST(ResultFile, ImpossibleValuesAreRefused)
 {
     const std::vector<std::pair<std::string, std::string>> changes{
         {"/rows/0/setting/width", "-5"},
-        {"/rows/0/setting/height", "1e300"},
         {"/rows/0/setting/frames", "0.5"},
-        {"/rows/0/samples/3/kernel", "\"0.1\""},
         {"/rows/0/samples/3/kernel", "null"},
         {"/rows/0/samples/3/wall", "1e300"},
-        {"/rows/0/samples/3/run", "-1"},
         {"/rows/0/samples/3", "[]"},
         {"/rows/0/samples", "{}"},
         {"/rows/0/verification/passed", "1"},
         {"/rows/0/verification/pixels", "18446744073709551615"},
-        {"/rows/0/work/steps", "-1"},
         {"/rows/0/precision", "\"half\""},
-        {"/rows/0/mode", "7"},
         {"/rows/0/backend", "null"},
-        {"/rows/0/operations", "-1"},
-        {"/runs", "99999999999"},
         {"/runs", "true"},
-        {"/seed", "-1"},
         {"/warnings", "[1]"},
         {"/environment", "[]"},
-        {"/version", "\"1\""},
-        {"/version", "3"},
-        {"/rows", "\"none\""}};
+        {"/version", "3"}};
     for (const auto& [place, value] : changes) {
         Json json = whole();
         json[Json::json_pointer(place)] = Json::parse(value);
@@ -152,18 +143,10 @@ Json with_counts()
     Counted counted;
     counted.fractal = "mandelbox";
     counted.setting.width = counted.setting.height = 100;
-    counted.lane_use = {{16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}, ActiveLanes{0.01, 0.02}, ActiveLanes{0.03, 0.04}}};
-    counted.errors = {.per_iteration = 0.5, .per_estimate = 0.25};
+    counted.lane_use = {{16, {0.5, 0.25}, ActiveLanes{0.75, 0.5}}};
     result.rows[0].operations = 1e9;
-    result.rows[0].operations_error = 1e7;
     result.counts.push_back(counted);
     return json_of(derived(result));
-}
-
-TEST(ResultFile, IsReadAsItWasWritten)
-{
-    const Json json = with_counts();
-    EXPECT_EQ(json_of(parse_result(text_of(json), "file.json")), json);
 }
 
 // A file holds facts alone, and all samples of a row in one line. Its figures are those of its samples, whatever else
@@ -183,31 +166,20 @@ TEST(ResultFile, FiguresAreComputedFromTheFacts)
     EXPECT_EQ(json_of(parse_result(text_of(facts), "file.json")), json);
 }
 
-TEST(ResultFile, WhatAFileLacksIsUnknown)
+TEST(ResultFile, MissingValuesAreUnknown)
 {
     Json facts = facts_of(parse_result(text_of(with_counts()), "file.json"));
-    for (const char* key : {"driver", "operations_standard_error", "step_factor"}) facts["rows"][0].erase(key);
+    for (const char* key : {"driver", "step_factor"}) facts["rows"][0].erase(key);
     facts["counts"][0]["lane_use"][0].erase("refilled");
     facts.erase("warnings");
     const Json json = json_of(parse_result(text_of(facts), "file.json"));
     EXPECT_EQ(json["rows"][0]["driver"], "");
-    EXPECT_TRUE(json["rows"][0]["operations_standard_error"].is_null());
     EXPECT_TRUE(json["rows"][0]["step_factor"].is_null());
     EXPECT_TRUE(json["counts"][0]["lane_use"][0]["refilled"].is_null());
     EXPECT_TRUE(json["warnings"].empty());
 }
 
-// The share of the peak has the same relative standard error as the number of operations.
-TEST(ResultFile, TheShareOfThePeakHasTheOperationsError)
-{
-    Result result = parse_result(text_of(with_counts()), "file.json");
-    result.peaks.push_back({"machine", "openmp", 0, Precision::f32, 1e12});
-    const Json figures = json_of(derived(result))["rows"][0]["figures"];
-    EXPECT_NEAR(figures["share_of_peak_standard_error"].get<double>(), 0.01 * figures["share_of_peak"].get<double>(),
-                1e-12);
-}
-
-TEST(ResultFile, WhatItMustNotHoldIsRefused)
+TEST(ResultFile, DamagedFilesAreRefused)
 {
     const std::string deep = "{\"version\": " + std::string(1'000'000, '[');
     EXPECT_NE(refusal_of(deep).find("nested"), std::string::npos) << "before it is parsed";
@@ -226,20 +198,7 @@ TEST(ResultFile, WhatItMustNotHoldIsRefused)
     EXPECT_NE(refusal_of(text_of(idle)).find("lane_use: [] given"), std::string::npos);
 }
 
-TEST(ResultFile, ImpossibleReadingsOfAGpuAreRefused)
-{
-    Json json = whole();
-    json["environment"]["telemetry"]["gpus"] =
-        Json::parse(R"([{"name": "GPU", "joules": null, "watts": 141.9, "celsius": 36, "sm_megahertz": 1755,
-                         "most_sm_megahertz": 1980, "memory_megahertz": null, "throttled": "none"}])");
-    EXPECT_EQ(refusal_of(text_of(json)), "");
-    json["environment"]["telemetry"]["gpus"][0]["celsius"] = 141873;
-    EXPECT_EQ(refusal_of(text_of(json)),
-              "file.json: environment.telemetry.gpus[0].celsius: 141873 given, expected a number from -100 to 200, "
-              "expected a result of bench --json");
-}
-
-TEST(ResultFile, ADriversNameThatIsNoUtf8LosesNothing)
+TEST(ResultFile, NameThatIsNotUtf8LosesNothing)
 {
     Result result = made_result({made_row("openmp", seven)});
     result.rows[0].driver = "driver \xff 1";
@@ -261,7 +220,7 @@ bool is_named(const Row& row)
 
 // If a sample consists of several pictures (`frames`), its wall time also includes opening the device and building
 // kernels, for which the sample has no parts. Therefore nothing is reported for such a row.
-TEST(Parts, ThatLeaveMoreThanALittleOfTheWallTimeAreReported)
+TEST(Parts, AreReportedIfTheyLeaveMuchOfTheWallTime)
 {
     Row row = leaving(0.25);
     EXPECT_NEAR(made_result({row}).rows[0].figures->unaccounted.value(), 0.25, 1e-12);
@@ -270,6 +229,34 @@ TEST(Parts, ThatLeaveMoreThanALittleOfTheWallTimeAreReported)
     row.setting.frames = 10;
     EXPECT_FALSE(made_result({row}).rows[0].figures->unaccounted.has_value());
     EXPECT_FALSE(is_named(row));
+}
+
+Result of_run(int run)
+{
+    Result result = made_result({made_row("openmp", {0.1, 0.2}), made_row("opencl", {0.3, 0.4})});
+    for (Row& row : result.rows) {
+        for (Sample& sample : row.samples) sample.run = run;
+    }
+    result.peaks.push_back({"machine", "openmp", 0, Precision::f64, 100.0 + run});
+    result.warnings.emplace_back("noise");
+    return result;
+}
+
+TEST(Runs, AreMergedByRow)
+{
+    const Result all = with_further_runs(of_run(0), 3, [](int run) {
+        Result result = of_run(run);
+        if (run == 1) result.rows[1].failure = "died";
+        return result;
+    });
+    EXPECT_EQ(all.runs, 3);
+    EXPECT_EQ(all.warnings, (std::vector<std::string>{"noise", "run 1: noise", "run 2: noise"}));
+    EXPECT_EQ(run_medians(all.rows[0]).size(), 3U);
+    EXPECT_EQ(all.rows[0].samples.size(), 6U);
+    ASSERT_EQ(all.peaks.size(), 1U);
+    EXPECT_EQ(all.peaks[0].rate, 102);
+    EXPECT_TRUE(all.rows[1].failed());
+    EXPECT_FALSE(all.rows[1].timed());
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(Statistics, MedianAndDeviation)
 
 // Each pair has a number of values n and the rank of the lower end of the sign test's interval. The ranks were computed
 // from the binomial distribution.
-TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
+TEST(Statistics, IntervalHasTheRanksOfTheTable)
 {
     for (const auto& [n, rank] : {std::pair(6, 1), {8, 1}, {9, 2}, {10, 2}, {15, 4}, {20, 6}, {25, 8}, {40, 14}}) {
         const auto interval = median_interval(upto(n));
@@ -46,7 +46,7 @@ TEST(Statistics, TheIntervalHasTheRanksOfTheTable)
 }
 
 // An example like that in Holm's paper: the p-values 0.01, 0.04, 0.03, 0.005 become 0.03, 0.06, 0.06, 0.02.
-TEST(Statistics, Holm)
+TEST(Statistics, HolmByHand)
 {
     const std::vector<double> p{0.01, 0.04, 0.03, 0.005};
     const auto adjusted = holm(p);
@@ -75,7 +75,7 @@ TEST(Statistics, WelchByHand)
     EXPECT_GT(difference(a, b, 0.5).p, d.p) << "a margin makes a difference less sure";
 }
 
-TEST(Statistics, EqualNumbersDifferOrNot)
+TEST(Statistics, EqualValuesAreCertain)
 {
     const std::vector<double> a{2, 2, 2};
     const std::vector<double> b{3, 3, 3};
@@ -95,7 +95,7 @@ TEST(RunInterval, ByHand)
     EXPECT_FALSE(run_interval(std::vector{1.0, 0.0, 2.0}));
 }
 
-TEST(RunInterval, HoldsTheMedianOfAll)
+TEST(RunInterval, ContainsTheMedianOfAll)
 {
     // One run has many more samples than the others.
     ValuesByRun runs{{0, {1.0}}, {1, {1.0}}, {7, {2, 2, 2, 2, 2}}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Telemetry of a simulated machine has values, or the reasons why they are missing.
+// Energy of a simulated machine, and the state of its GPU.
 #include "bench/measure/telemetry.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text << '\n'; }
 
 // A folder like Linux' powercap interface, with the domains of a package and of its cores.
-class MadeMachine : public testing::Test {
+class Energy : public testing::Test {
 protected:
-    void SetUp() override
+    Energy()
     {
-        domain("intel-rapl:0", "package-0", "1000000");
+        domain("intel-rapl:0", "package-0", "8500000");
         domain("intel-rapl:0:0", "core", "500000");
         fs::create_directories(folder_ / "intel-rapl");  // the driver's own folder, which has no counter
     }
@@ -38,48 +38,38 @@ protected:
     const fs::path& folder_ = made_.path();
 };
 
-TEST_F(MadeMachine, EnergyIsWhatWasUsedSinceTheStart)
+TEST_F(Energy, IsThatOfThePackageSinceTheStart)
 {
-    const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});
-    write(folder_ / "intel-rapl:0" / "energy_uj", "3500000");
-    write(folder_ / "intel-rapl:0:0" / "energy_uj", "600000");
-    const auto energy = telemetry.since_start()["energy"];
-    ASSERT_EQ(energy["domains"].size(), 2U) << energy;
-    EXPECT_EQ(energy["domains"][0]["name"], "intel-rapl:0 package-0");
-    EXPECT_NEAR(energy["domains"][0]["joules"], 2.5, 1e-12);
-    EXPECT_NEAR(energy["domains"][1]["joules"], 0.1, 1e-12);
-    EXPECT_GE(energy["seconds"], 0);
+    Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});
+    EXPECT_EQ(telemetry.joules(), 0);
+    write(folder_ / "intel-rapl:0" / "energy_uj", "500000");  // the counter has wrapped around
+    EXPECT_NEAR(telemetry.joules().value(), 1, 1e-12);
+    write(folder_ / "intel-rapl:0" / "energy_uj", "3000000");
+    EXPECT_NEAR(telemetry.joules().value(), 3.5, 1e-12);
 }
 
-TEST_F(MadeMachine, ACounterThatBeganAgainIsUnwrapped)
+TEST_F(Energy, OfPackageAndGpuIsAdded)
 {
-    write(folder_ / "intel-rapl:0" / "energy_uj", "8500000");
-    const Telemetry telemetry({.powercap = folder_, .nvml = "libnosuch.so"});
-    write(folder_ / "intel-rapl:0" / "energy_uj", "500000");
-    EXPECT_NEAR(telemetry.since_start()["energy"]["domains"][0]["joules"], 1, 1e-12);
+    Telemetry telemetry({.powercap = folder_, .nvml = MANDELMARCH_NVML_STAND_IN});
+    const double start = telemetry.joules().value();
+    write(folder_ / "intel-rapl:0" / "energy_uj", "8600000");
+    EXPECT_NEAR(telemetry.joules().value() - start, 2 + 0.1, 1e-9) << "2 J in each reading of the GPU";
 }
 
-TEST_F(MadeMachine, WhatIsMissingIsSaid)
+TEST_F(Energy, WithoutACounterIsUnknown)
 {
-    const Telemetry telemetry({.powercap = folder_ / "nosuch", .nvml = "libnosuch.so"});
-    const auto told = telemetry.since_start();
-    EXPECT_EQ(told["energy"]["missing"], (folder_ / "nosuch").string() + " has no domain of RAPL");
-    EXPECT_EQ(told["gpus"]["missing"], "libnosuch.so is not installed");
-    EXPECT_FALSE(told["energy"].contains("domains"));
+    Telemetry telemetry({.powercap = folder_ / "nosuch", .nvml = "libnosuch.so"});
+    EXPECT_FALSE(telemetry.joules());
+    EXPECT_EQ(telemetry.gpus()["missing"], "libnosuch.so is not installed");
 }
 
 // The stand-in (nvml.cpp) has another value for each reading.
-TEST_F(MadeMachine, AGpusReadingsAreThoseThatNvmlNames)
+TEST_F(Energy, StateOfAGpuIsThatOfNvml)
 {
     const Telemetry telemetry({.powercap = folder_, .nvml = MANDELMARCH_NVML_STAND_IN});
-    EXPECT_EQ(telemetry.since_start()["gpus"], nlohmann::ordered_json::array({{{"name", "stand-in"},
-                                                                               {"joules", nullptr},
-                                                                               {"watts", 141.873},
-                                                                               {"celsius", 36.0},
-                                                                               {"sm_megahertz", 1755.0},
-                                                                               {"most_sm_megahertz", 1980.0},
-                                                                               {"memory_megahertz", 2619.0},
-                                                                               {"throttled", "power cap"}}}));
+    EXPECT_EQ(telemetry.gpus(),
+              nlohmann::ordered_json::array(
+                  {{{"name", "stand-in"}, {"watts", 141.873}, {"sm_megahertz", 1755.0}, {"throttled", "power cap"}}}));
 }
 
 }  // namespace

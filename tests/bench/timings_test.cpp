@@ -16,7 +16,7 @@ constexpr double rounding = 1e-6;  // seconds; largest rounding error of the sum
 TEST(Timings, PartsAreApartAndWithinTheWallTime)
 {
     const Registry registry = all_backends();
-    int asked = 0;
+    int pictures = 0;
     for (const auto& backend : registry.backends()) {
         const Listing found = listing_of(*backend);
         for (int device = 0; device < static_cast<int>(found.devices.size()); ++device) {
@@ -40,12 +40,12 @@ TEST(Timings, PartsAreApartAndWithinTheWallTime)
                             EXPECT_GT(t.upload, 0);
                         }
                     }
-                    ++asked;
+                    ++pictures;
                 }
             }
         }
     }
-    EXPECT_GE(asked, 8) << "reference and openmp at least";
+    EXPECT_GE(pictures, 8) << "reference and openmp at least";
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ double percent_off(const Image& canonical, const Scene& scene, Precision precisi
 
 class Views : public testing::TestWithParam<std::string> {};
 
-TEST_P(Views, FastDrawsTheCanonicalPicture)
+TEST_P(Views, FastModeHasTheCanonicalPicture)
 {
     for (const View& view : views_of(GetParam(), side, side)) {
         const Image canonical = canonical_picture(view.scene);
@@ -45,7 +45,7 @@ TEST_P(Views, FastDrawsTheCanonicalPicture)
     }
 }
 
-TEST_P(Views, TheCloseUpIsAllSurface)
+TEST_P(Views, CloseUpIsAllSurface)
 {
     const std::vector<View> views = views_of(GetParam(), side, side);
     const auto close = std::ranges::find(views, "close", &View::name);
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Official, Views, testing::Values("bulb", "box"),
                          [](const auto& test) { return std::string(test.param); });
 
 // Negative control: close to a pole of the Mandelbulb the estimate is several times too large, and hits are noise.
-TEST(ViewsControl, APoleIsNoScene)
+TEST(ViewsControl, PictureAtAPoleIsNoise)
 {
     Scene scene = official_scene("bulb", side, side);
     scene.eye = {0.1061, -0.1069, -0.8585};

@@ -83,6 +83,10 @@ class DemoTest(unittest.TestCase):
         for backend in self.backends:
             self.assertRegex(self.text, rf">{backend}(?:-scalar)?[:,<]", backend)
 
+    def test_speed_ups_are_over_the_reference(self):
+        rows = json.loads(text_of(Path(self.small, "demo.json")))["rows"]
+        self.assertEqual([row for row in rows if row["drawn"] and not row["speed_up"] > 0], [])
+
     def test_the_pictures_are_pictures(self):
         found = re.findall(r"data:image/png;base64,([A-Za-z0-9+/=]+)", self.text)
         self.assertGreater(len(found), 4)
@@ -189,7 +193,7 @@ class DemoTest(unittest.TestCase):
     def test_pictures_that_cannot_be_written_cost_no_table(self):
         done = run("bash", "-c", f"ulimit -f 1; exec '{BIN}/demo' --side 64 --folder '{self.folder}/full'", MANDELMARCH_BACKENDS="openmp")
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertRegex(done.stdout, "openmp +double +exact +[0-9.]+ ")
+        self.assertRegex(done.stdout, "double +exact openmp +0 same bits +[0-9.]+ ")
         self.assertRegex(done.stderr, r"\ndemo: .*/full/.*: cannot write it: File too large\n$")
 
 

@@ -45,7 +45,7 @@ def _gpus(environment: dict[str, Any]) -> str:
 
 
 def _gpu(gpu: dict[str, Any]) -> str:
-    parts = [f"{gpu[key]:.0f} {unit}" for key, unit in (("joules", "J"), ("watts", "W"), ("sm_megahertz", "MHz")) if gpu[key] is not None]
+    parts = [f"{gpu[key]:.0f} {unit}" for key, unit in (("watts", "W"), ("sm_megahertz", "MHz")) if gpu[key] is not None]
     return f"{gpu['name']}: {', '.join(parts)}, throttled: {gpu['throttled']}"
 
 
@@ -114,7 +114,7 @@ def _tables(material: Material) -> list[Table]:
         Table(
             ["results", "GPUs"],
             _grouped((letter, [_gpus(bench.environment)]) for letter, bench in benches),
-            "Energy and clocks of GPUs during the first run.",
+            "Power and clocks of GPUs after the first run.",
         ),
         Table(
             ["results", "backend", "compiler", "flags, exact", "flags, fast", "devices and drivers"],
