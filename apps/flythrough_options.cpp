@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "apps/cli/options.h"
+#include "core/os/input_file.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
-#include "core/os/input_file.h"
 #include "core/text/number.h"
 #include "core/text/version.h"
 

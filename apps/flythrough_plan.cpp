@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "apps/flythrough_options.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
 #include "core/text/console.h"
 #include "core/text/error.h"
 #include "core/text/text.h"
 #include "core/text/version.h"
-#include "core/scene/fractal.h"
-#include "core/scene/parameter_file.h"
 #include "flight/field/field.h"
 #include "flight/path/places.h"
 

@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/options.h"
-#include "core/text/console.h"
-#include "core/text/error.h"
-#include "core/os/files.h"
-#include "core/os/output_file.h"
-#include "core/text/text.h"
-#include "core/text/version.h"
 #include "core/image/compare.h"
 #include "core/image/formats/image_file.h"
+#include "core/os/files.h"
+#include "core/os/output_file.h"
 #include "core/os/program.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
+#include "core/text/version.h"
 
 namespace {
 

@@ -7,24 +7,24 @@
 #include <tuple>
 
 #include "apps/cli/options.h"
-#include "core/os/progress_bar.h"
 #include "apps/scene_json.h"
 #include "apps/survey.h"
-#include "core/text/console.h"
-#include "core/text/error.h"
+#include "core/image/averaged.h"
+#include "core/image/formats/image_file.h"
+#include "core/image/image.h"
+#include "core/instruments/trace.h"
 #include "core/os/files.h"
 #include "core/os/memory.h"
 #include "core/os/output_file.h"
-#include "core/text/text.h"
-#include "core/image/averaged.h"
-#include "core/image/formats/image_file.h"
+#include "core/os/progress_bar.h"
 #include "core/render/region.h"
 #include "core/render/stereo.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
-#include "core/image/image.h"
-#include "core/instruments/trace.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch {
 namespace {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "apps/cli/options.h"
+#include "core/image/image.h"
+#include "core/render/trial.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
 #include "core/text/version.h"
-#include "core/image/image.h"
-#include "core/render/trial.h"
 
 namespace mandelmarch {
 namespace {

@@ -9,11 +9,11 @@
 #include <span>
 #include <string_view>
 
+#include "core/isolation/isolated.h"
 #include "core/os/cores.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
 #include "core/text/text.h"
-#include "core/isolation/isolated.h"
 
 namespace mandelmarch {
 

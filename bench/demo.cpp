@@ -9,20 +9,20 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/options.h"
 #include "backends/all.h"
 #include "bench/command/display.h"
 #include "bench/measure/verify.h"
 #include "bench/print/printers.h"
 #include "bench/result/figures.h"
-#include "apps/cli/options.h"
+#include "core/image/formats/image_file.h"
 #include "core/os/cores.h"
 #include "core/os/cpu.h"
+#include "core/os/output_file.h"
+#include "core/os/program.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
-#include "core/os/output_file.h"
 #include "core/text/version.h"
-#include "core/image/formats/image_file.h"
-#include "core/os/program.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 // bench: verifies that all backends render the same picture, then times them.
 #include "backends/all.h"
 #include "bench/program.h"
-#include "core/text/error.h"
 #include "core/os/program.h"
+#include "core/text/error.h"
 
 namespace {
 

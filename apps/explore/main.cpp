@@ -12,18 +12,18 @@
 #include <tuple>
 #include <vector>
 
-#include "apps/explore/view/explorer.h"
-#include "core/os/input_file.h"
-#include "backends/all.h"
 #include "apps/cli/options.h"
 #include "apps/explore/actions/actions.h"
+#include "apps/explore/view/explorer.h"
+#include "backends/all.h"
+#include "core/os/input_file.h"
+#include "core/os/program.h"
+#include "core/scene/fractal.h"
+#include "core/scene/parameter_file.h"
 #include "core/text/console.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
 #include "core/text/version.h"
-#include "core/scene/fractal.h"
-#include "core/scene/parameter_file.h"
-#include "core/os/program.h"
 
 namespace {
 

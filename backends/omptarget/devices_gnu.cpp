@@ -7,9 +7,9 @@
 #include <string>
 
 #include "backends/omptarget/devices.h"
-#include "core/text/text.h"
 #include "core/gpu/driver.h"
 #include "core/render/schedule.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::omptarget {
 namespace {

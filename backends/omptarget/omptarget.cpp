@@ -13,10 +13,10 @@
 
 #include "backends/omptarget/devices.h"
 #include "backends/omptarget/shape.h"
+#include "core/gpu/driver.h"
+#include "core/models/model.h"
 #include "core/os/cores.h"
 #include "core/text/error.h"
-#include "core/models/model.h"
-#include "core/gpu/driver.h"
 
 extern "C" {
 extern const char mandelmarch_omptarget_library[];

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <openacc.h>
 
-#include "core/text/text.h"
-#include "core/models/model.h"
 #include "core/gpu/driver.h"
+#include "core/models/model.h"
 #include "core/render/schedule.h"
+#include "core/text/text.h"
 
 namespace mandelmarch {
 namespace openacc {

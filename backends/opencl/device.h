@@ -15,8 +15,8 @@
 #include <CL/opencl.hpp>
 #pragma GCC diagnostic pop
 
-#include "core/text/error.h"
 #include "core/render/backend.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::opencl {
 

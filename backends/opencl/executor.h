@@ -9,8 +9,8 @@
 
 #include "backends/opencl/device.h"
 #include "backends/opencl/session.h"
-#include "core/os/stopwatch.h"
 #include "core/image/tile.h"
+#include "core/os/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "backends/opencl/executor.h"
-#include "core/text/environment.h"
 #include "core/os/files.h"
 #include "core/os/memory.h"
 #include "core/render/peak.h"
 #include "core/render/spacing.h"
 #include "core/scene/fractal.h"
+#include "core/text/environment.h"
 
 namespace mandelmarch {
 namespace opencl {

@@ -17,16 +17,16 @@
 #include "backends/openmp/place.h"
 #include "backends/openmp/threads.h"
 #include "backends/openmp/variants.h"
-#include "core/text/text.h"
 #include "core/os/cores.h"
 #include "core/os/cpu.h"
-#include "core/text/environment.h"
-#include "core/text/error.h"
 #include "core/os/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/peak.h"
 #include "core/render/schedule.h"
 #include "core/scene/fractal.h"
+#include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch {
 namespace openmp {

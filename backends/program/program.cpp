@@ -19,19 +19,19 @@
 #include <set>
 #include <sstream>
 
+#include "core/image/formats/image_file.h"
 #include "core/os/child_process.h"
-#include "core/text/console.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/os/input_file.h"
-#include "core/text/json.h"
 #include "core/os/output_file.h"
-#include "core/text/text.h"
-#include "core/image/formats/image_file.h"
 #include "core/render/backend.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/text/console.h"
 #include "core/text/environment.h"
+#include "core/text/error.h"
+#include "core/text/json.h"
+#include "core/text/text.h"
 
 namespace mandelmarch {
 namespace {

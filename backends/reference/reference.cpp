@@ -10,10 +10,10 @@
 
 #include "backends/reference/estimators.h"
 #include "core/os/cpu.h"
-#include "core/text/error.h"
 #include "core/os/stopwatch.h"
 #include "core/render/backend.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -8,11 +8,11 @@
 #include <cstring>
 
 #include "backends/vulkan/probe.h"
+#include "core/instruments/loops.h"
 #include "core/os/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/render/spacing.h"
-#include "core/instruments/loops.h"
 
 namespace mandelmarch::vulkan {
 

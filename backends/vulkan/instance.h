@@ -6,8 +6,8 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
-#include "core/text/error.h"
 #include "core/render/backend.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::vulkan {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "core/os/progress_bar.h"
 #include "bench/measure/runner.h"
-#include "core/text/console.h"
+#include "core/os/progress_bar.h"
 #include "core/os/stopwatch.h"
+#include "core/text/console.h"
 
 namespace mandelmarch::bench {
 

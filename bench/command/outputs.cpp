@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/text/console.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/os/output_file.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
 #include "core/text/text.h"
 #include "core/text/version.h"
 

@@ -7,14 +7,14 @@
 #include "apps/cli/options.h"
 #include "bench/command/commands.h"
 #include "bench/command/display.h"
-#include "bench/fidelity/equivalence.h"
 #include "bench/command/outputs.h"
+#include "bench/fidelity/equivalence.h"
 #include "bench/fidelity/random_scenes.h"
-#include "bench/result/result_file.h"
 #include "bench/measure/environment.h"
 #include "bench/measure/options.h"
-#include "core/text/error.h"
+#include "bench/result/result_file.h"
 #include "core/os/output_file.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "bench/command/commands.h"
+#include "bench/fidelity/scene_fields.h"
 #include "bench/result/result_fields.h"
 #include "bench/result/result_file.h"
-#include "bench/fidelity/scene_fields.h"
 #include "core/text/error.h"
 #include "core/text/text.h"
 

@@ -6,12 +6,12 @@
 #include <set>
 
 #include "bench/command/commands.h"
+#include "bench/command/outputs.h"
+#include "bench/print/printers.h"
 #include "bench/result/compare.h"
 #include "bench/result/differences.h"
-#include "bench/command/outputs.h"
 #include "bench/result/portability.h"
 #include "bench/result/result_file.h"
-#include "bench/print/printers.h"
 #include "core/text/console.h"
 #include "core/text/error.h"
 #include "core/text/text.h"

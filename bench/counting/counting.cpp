@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/text/error.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "flight/field/threads.h"
 
 namespace mandelmarch::bench {

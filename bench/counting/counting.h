@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "core/render/backend.h"
 #include "core/instruments/operations.h"
+#include "core/render/backend.h"
 
 namespace mandelmarch::bench {
 

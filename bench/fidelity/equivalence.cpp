@@ -11,12 +11,12 @@
 #include <optional>
 #include <span>
 
-#include "core/text/error.h"
 #include "core/render/agreement.h"
 #include "core/render/expected.h"
-#include "core/scene/random_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/scene/random_scene.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -9,12 +9,13 @@
 #include <random>
 #include <tuple>
 
-#include "core/text/error.h"
+#include "bench/statistics/table.h"
 #include "core/render/agreement.h"
 #include "core/render/expected.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 #include "core/scene/random_scene.h"
+#include "core/text/error.h"
 #include "flight/field/threads.h"
 
 namespace mandelmarch::bench {

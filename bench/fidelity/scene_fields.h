@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "bench/result/document.h"
 #include "bench/fidelity/equivalence.h"
 #include "bench/fidelity/random_scenes.h"
+#include "bench/result/document.h"
 #include "bench/result/result_fields.h"
 
 namespace mandelmarch::bench {

@@ -10,10 +10,10 @@
 #include <tuple>
 
 #include "bench/measure/views.h"
-#include "core/text/text.h"
 #include "core/os/cpu.h"
-#include "core/text/error.h"
 #include "core/scene/parameter_file.h"
+#include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {

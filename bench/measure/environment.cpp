@@ -14,9 +14,9 @@
 
 #include "core/os/cores.h"
 #include "core/os/cpu.h"
-#include "core/text/environment.h"
 #include "core/os/files.h"
 #include "core/os/memory.h"
+#include "core/text/environment.h"
 #include "core/text/version.h"
 
 namespace mandelmarch::bench {

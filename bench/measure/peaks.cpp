@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "bench/measure/interruption.h"
 #include "bench/measure/cases.h"
+#include "bench/measure/interruption.h"
 #include "core/text/error.h"
 #include "core/text/text.h"
 

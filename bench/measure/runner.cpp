@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <random>
 
-#include "bench/result/figures.h"
 #include "bench/measure/interruption.h"
 #include "bench/measure/moving_eye.h"
 #include "bench/measure/telemetry.h"
 #include "bench/measure/verify.h"
-#include "core/text/error.h"
+#include "bench/result/figures.h"
 #include "core/os/stopwatch.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -8,9 +8,9 @@
 #include <csignal>
 #include <filesystem>
 
+#include "bench/measure/interruption.h"
 #include "bench/result/figures.h"
 #include "bench/result/result_file.h"
-#include "bench/measure/interruption.h"
 #include "core/os/child_process.h"
 #include "core/text/console.h"
 #include "core/text/error.h"

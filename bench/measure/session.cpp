@@ -6,16 +6,16 @@
 #include <algorithm>
 
 #include "bench/measure/environment.h"
-#include "bench/result/figures.h"
 #include "bench/measure/interruption.h"
 #include "bench/measure/moving_eye.h"
 #include "bench/measure/peaks.h"
-#include "bench/measure/verify.h"
 #include "bench/measure/steadiness.h"
 #include "bench/measure/telemetry.h"
+#include "bench/measure/verify.h"
+#include "bench/result/figures.h"
+#include "core/os/stopwatch.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
-#include "core/os/stopwatch.h"
 
 namespace mandelmarch::bench {
 namespace {

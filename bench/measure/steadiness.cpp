@@ -15,11 +15,11 @@
 #include <sstream>
 #include <utility>
 
-#include "bench/statistics/table.h"
 #include "bench/result/figures.h"
-#include "core/text/text.h"
+#include "bench/statistics/table.h"
 #include "core/os/cores.h"
 #include "core/os/files.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {

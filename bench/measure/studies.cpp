@@ -9,11 +9,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "bench/statistics/table.h"
 #include "bench/measure/views.h"
-#include "core/text/text.h"
+#include "bench/statistics/table.h"
 #include "core/os/cores.h"
 #include "core/text/error.h"
+#include "core/text/text.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "core/text/error.h"
-#include "core/text/hash.h"
 #include "core/os/memory.h"
 #include "core/render/agreement.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
+#include "core/text/hash.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "bench/print/printers.h"
-#include "bench/statistics/table.h"
 #include "bench/result/figures.h"
 #include "bench/result/winners.h"
+#include "bench/statistics/table.h"
 #include "core/scene/fractal.h"
 
 namespace mandelmarch::bench {

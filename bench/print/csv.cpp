@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "bench/result/figures.h"
 #include "bench/print/printers.h"
+#include "bench/result/figures.h"
 #include "bench/result/result_fields.h"
 
 namespace mandelmarch::bench {

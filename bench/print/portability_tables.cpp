@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "bench/statistics/table.h"
-#include "bench/result/portability.h"
 #include "bench/print/printers.h"
+#include "bench/result/portability.h"
+#include "bench/statistics/table.h"
 #include "core/text/text.h"
 
 namespace mandelmarch::bench {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "bench/statistics/table.h"
 #include "bench/print/printers.h"
 #include "bench/result/figures.h"
+#include "bench/statistics/table.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 
-#include "bench/statistics/table.h"
 #include "bench/result/differences.h"
 #include "bench/result/figures.h"
 #include "bench/result/platforms.h"
+#include "bench/statistics/table.h"
 #include "core/text/error.h"
 #include "core/text/text.h"
 

@@ -6,10 +6,10 @@
 
 #include "bench/result/document.h"
 #include "bench/result/fields.h"
-#include "bench/result/rules.h"
 #include "bench/result/portability.h"
-#include "bench/result/winners.h"
 #include "bench/result/result.h"
+#include "bench/result/rules.h"
+#include "bench/result/winners.h"
 
 namespace mandelmarch::bench {
 

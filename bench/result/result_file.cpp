@@ -7,10 +7,10 @@
 
 #include "bench/result/figures.h"
 #include "bench/result/portability.h"
-#include "bench/result/result_file.h"
 #include "bench/result/result_fields.h"
-#include "core/text/error.h"
+#include "bench/result/result_file.h"
 #include "core/os/input_file.h"
+#include "core/text/error.h"
 #include "core/text/json.h"
 #include "core/text/text.h"
 

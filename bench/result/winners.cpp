@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "bench/statistics/table.h"
 #include "bench/result/differences.h"
+#include "bench/statistics/table.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -8,8 +8,8 @@
 #include <map>
 #include <type_traits>
 
-#include "core/text/error.h"
 #include "core/os/stopwatch.h"
+#include "core/text/error.h"
 #include "core/text/text.h"
 
 namespace mandelmarch::job {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "core/text/error.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 

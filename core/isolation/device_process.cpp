@@ -15,10 +15,10 @@
 #include <new>
 #include <set>
 
+#include "core/os/stopwatch.h"
 #include "core/text/console.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
-#include "core/os/stopwatch.h"
 #include "core/text/text.h"
 
 namespace mandelmarch::isolation {

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <string>
 
-#include "core/isolation/message.h"
 #include "core/isolation/fork_server.h"
+#include "core/isolation/message.h"
 
 namespace mandelmarch::isolation {
 

@@ -15,11 +15,11 @@
 #include <cstring>
 #include <set>
 
+#include "core/isolation/message.h"
 #include "core/os/child_process.h"
 #include "core/text/console.h"
-#include "core/text/error.h"
-#include "core/isolation/message.h"
 #include "core/text/environment.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::isolation {
 namespace {

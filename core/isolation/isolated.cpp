@@ -7,10 +7,10 @@
 #include <map>
 #include <mutex>
 
-#include "core/text/error.h"
 #include "core/isolation/device_process.h"
 #include "core/isolation/shared_memory.h"
 #include "core/render/registry.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

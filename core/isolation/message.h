@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/text/error.h"
 #include "core/render/backend.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::isolation {
 

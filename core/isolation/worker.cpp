@@ -7,9 +7,9 @@
 #include <map>
 #include <new>
 
+#include "core/isolation/shared_memory.h"
 #include "core/text/error.h"
 #include "core/text/text.h"
-#include "core/isolation/shared_memory.h"
 
 namespace mandelmarch::isolation {
 namespace {

@@ -5,10 +5,10 @@
 #include <mutex>
 #include <new>
 
-#include "core/text/console.h"
 #include "core/models/executor.h"
 #include "core/render/peak.h"
 #include "core/render/spacing.h"
+#include "core/text/console.h"
 
 namespace mandelmarch::job {
 namespace {

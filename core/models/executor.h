@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/text/error.h"
-#include "core/os/stopwatch.h"
 #include "core/models/camera_table.h"
 #include "core/models/model.h"
+#include "core/os/stopwatch.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::job {
 

@@ -10,8 +10,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/text/error.h"
 #include "core/os/memory.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 

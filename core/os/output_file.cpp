@@ -13,10 +13,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/text/console.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/os/input_file.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
 #include "core/text/text.h"
 
 namespace mandelmarch {

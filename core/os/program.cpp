@@ -12,9 +12,9 @@
 #include <exception>
 #include <new>
 
+#include "core/os/cores.h"
 #include "core/text/console.h"
 #include "core/text/error.h"
-#include "core/os/cores.h"
 #include "core/text/text.h"
 
 namespace mandelmarch {

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <type_traits>
 
-#include "core/text/error.h"
 #include "core/render/spacing.h"
 #include "core/render/stepping.h"
 #include "core/scene/fractal.h"
 #include "core/scene/hull.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

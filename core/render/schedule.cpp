@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "core/text/error.h"
-#include "core/os/stopwatch.h"
 #include "core/image/tile.h"
+#include "core/os/stopwatch.h"
 #include "core/render/kernel_scene.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

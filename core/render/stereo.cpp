@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/text/error.h"
 #include "core/render/kernel_scene.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

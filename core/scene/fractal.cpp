@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/text/text.h"
 #include "core/scene/fractal.h"
+#include "core/text/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,9 @@
 #include <string>
 #include <tuple>
 
-#include "core/text/error.h"
 #include "core/scene/descriptor.h"
 #include "core/scene/scene.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 

@@ -9,12 +9,12 @@
 #include <iterator>
 #include <optional>
 
-#include "core/text/error.h"
+#include "core/image/image.h"
 #include "core/os/input_file.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "core/text/number.h"
 #include "core/text/text.h"
-#include "core/image/image.h"
 
 namespace mandelmarch {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "core/text/error.h"
-#include "core/scene/scene_random.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/scene/scene_random.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

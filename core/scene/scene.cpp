@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/text/error.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/text/version.h"
 #include "core/scene/fractal.h"
+#include "core/text/version.h"
 #include "flight/audit/motion.h"
 #include "flight/audit/views.h"
 #include "flight/field/threads.h"

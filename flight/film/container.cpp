@@ -11,9 +11,9 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/text/error.h"
 #include "core/os/input_file.h"
 #include "core/os/output_file.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "core/text/quantile.h"
 #include "core/image/compare.h"
+#include "core/text/quantile.h"
 #include "flight/audit/views.h"
 #include "flight/field/threads.h"
 #include "flight/route/random.h"

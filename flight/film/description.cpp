@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/scene/fractal.h"
 #include "core/text/environment.h"
 #include "core/text/text.h"
 #include "core/text/version.h"
-#include "core/scene/fractal.h"
 #include "flight/film/segment_store.h"
 
 namespace mandelmarch {

@@ -8,19 +8,19 @@
 #include <filesystem>
 #include <tuple>
 
-#include "core/text/console.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/os/input_file.h"
 #include "core/os/output_file.h"
 #include "core/os/stopwatch.h"
 #include "core/os/temporary_path.h"
-#include "flight/film/description.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
 #include "flight/film/container.h"
+#include "flight/film/description.h"
 #include "flight/film/encoder.h"
 #include "flight/film/progress.h"
-#include "flight/film/title.h"
 #include "flight/film/segment_store.h"
+#include "flight/film/title.h"
 
 namespace mandelmarch {
 namespace {

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/image/formats/image_file.h"
+#include "core/os/files.h"
 #include "core/text/console.h"
 #include "core/text/error.h"
-#include "core/os/files.h"
-#include "core/image/formats/image_file.h"
 #include "flight/film/description.h"
 #include "flight/film/film.h"
 #include "flight/film/progress.h"

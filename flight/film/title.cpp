@@ -12,9 +12,9 @@
 #include <optional>
 #include <span>
 
+#include "core/os/output_file.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
-#include "core/os/output_file.h"
 
 namespace mandelmarch {
 namespace {

@@ -11,11 +11,11 @@
 #include <span>
 #include <string_view>
 
-#include "core/text/error.h"
 #include "core/os/input_file.h"
+#include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "core/text/json.h"
 #include "core/text/text.h"
-#include "core/scene/fractal.h"
 #include "flight/path/path.h"
 
 namespace mandelmarch {

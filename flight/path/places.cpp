@@ -8,8 +8,8 @@
 #include <cctype>
 #include <utility>
 
-#include "core/text/error.h"
 #include "core/os/input_file.h"
+#include "core/text/error.h"
 #include "core/text/number.h"
 #include "core/text/text.h"
 

@@ -8,18 +8,18 @@
 #include <optional>
 #include <span>
 
-#include "core/text/error.h"
 #include "core/os/stopwatch.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "flight/audit/audit.h"
 #include "flight/path/measures.h"
-#include "flight/route/elastic_band.h"
 #include "flight/ride/director.h"
 #include "flight/ride/gaze.h"
 #include "flight/ride/pacing.h"
 #include "flight/ride/trajectory.h"
-#include "flight/route/roadmap.h"
 #include "flight/ride/visits.h"
+#include "flight/route/elastic_band.h"
+#include "flight/route/roadmap.h"
 
 namespace mandelmarch {
 namespace {

@@ -15,8 +15,8 @@
 #include "flight/path/path.h"
 #include "flight/ride/director.h"
 #include "flight/ride/gaze.h"
-#include "flight/route/search.h"
 #include "flight/ride/pacing.h"
+#include "flight/route/search.h"
 
 namespace mandelmarch {
 namespace {

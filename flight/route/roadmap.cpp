@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/scene/fractal.h"
 #include "core/text/error.h"
 #include "core/text/quantile.h"
-#include "core/scene/fractal.h"
 #include "flight/path/measures.h"
 #include "flight/route/random.h"
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/text/error.h"
-#include "core/text/text.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "core/text/number.h"
+#include "core/text/text.h"
 #include "flight/field/field.h"
 #include "flight/path/path.h"
 

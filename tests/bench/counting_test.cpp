@@ -9,10 +9,10 @@
 #include <cmath>
 #include <string>
 
+#include "backends/all.h"
 #include "bench/measure/views.h"
 #include "core/render/peak.h"
 #include "tests/scenes.h"
-#include "backends/all.h"
 
 namespace mandelmarch::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/statistics/verdict.h"
 #include "bench/result/figures.h"
+#include "bench/statistics/verdict.h"
 
 namespace mandelmarch::bench {
 

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "backends/all.h"
-#include "core/os/output_file.h"
 #include "core/image/formats/image_file.h"
+#include "core/os/output_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
 

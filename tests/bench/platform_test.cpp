@@ -12,8 +12,8 @@
 #include "bench/result/platforms.h"
 #include "bench/result/portability.h"
 #include "core/os/cpu.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
+#include "core/text/error.h"
 #include "made.h"
 
 namespace mandelmarch::bench {

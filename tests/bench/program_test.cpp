@@ -15,8 +15,8 @@
 #include "backends/all.h"
 #include "bench/command/outputs.h"
 #include "bench/result/result_file.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
+#include "core/text/error.h"
 #include "tests/bench/broken_backend.h"
 
 namespace mandelmarch::bench {

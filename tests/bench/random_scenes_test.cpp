@@ -10,9 +10,9 @@
 
 #include "backends/all.h"
 #include "bench/measure/views.h"
-#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "tests/bench/broken_backend.h"
 #include "tests/scenes.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "bench/measure/runs.h"
-#include "bench/result/result_file.h"
 #include "bench/print/printers.h"
+#include "bench/result/result_file.h"
 #include "core/text/error.h"
 #include "made.h"
 

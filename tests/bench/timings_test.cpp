@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
-#include "core/text/error.h"
 #include "core/render/registry.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "bench/result/result_file.h"
 #include "bench/print/printers.h"
+#include "bench/result/result_file.h"
 #include "made.h"
 
 namespace mandelmarch::bench {

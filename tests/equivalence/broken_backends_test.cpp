@@ -7,9 +7,9 @@
 
 #include "backends/all.h"
 #include "bench/fidelity/equivalence.h"
-#include "core/text/error.h"
 #include "core/models/model.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

@@ -9,10 +9,10 @@
 
 #include "backends/all.h"
 #include "bench/fidelity/equivalence.h"
-#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/render/expected.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

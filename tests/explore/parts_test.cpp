@@ -10,18 +10,18 @@
 #include <set>
 
 #include "apps/explore/actions/actions.h"
-#include "backends/all.h"
-#include "apps/explore/model/path_editor.h"
 #include "apps/explore/model/files.h"
 #include "apps/explore/model/motion.h"
-#include "apps/explore/view/resolution_control.h"
+#include "apps/explore/model/path_editor.h"
 #include "apps/explore/model/shown_view.h"
+#include "apps/explore/view/resolution_control.h"
 #include "apps/survey.h"
-#include "core/text/error.h"
+#include "backends/all.h"
 #include "core/os/files.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/text/error.h"
 #include "flight/audit/audit.h"
 #include "flight/path/places.h"
 

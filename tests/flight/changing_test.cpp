@@ -8,8 +8,8 @@
 #include "flight/field/field.h"
 #include "flight/ride/planner.h"
 #include "flight/route/random.h"
-#include "tests/refusal.h"
 #include "tests/flight/rows.h"
+#include "tests/refusal.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

@@ -9,10 +9,10 @@
 
 #include "backends/all.h"
 #include "core/image/compare.h"
-#include "core/scene/random_scene.h"
-#include "core/scene/fractal.h"
-#include "flight/field/field.h"
 #include "core/instruments/trace.h"
+#include "core/scene/fractal.h"
+#include "core/scene/random_scene.h"
+#include "flight/field/field.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

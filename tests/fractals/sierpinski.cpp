@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/scene/scene_random.h"
 #include "core/scene/descriptor.h"
 #include "core/scene/scene.h"
+#include "core/scene/scene_random.h"
 
 namespace mandelmarch {
 namespace {

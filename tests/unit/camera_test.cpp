@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "backends/all.h"
-#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/render/stereo.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

@@ -16,9 +16,9 @@
 #include <thread>
 
 #include "core/os/control_group.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/os/memory.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -24,10 +24,10 @@
 #include <thread>
 #include <vector>
 
-#include "core/text/console.h"
-#include "core/text/error.h"
 #include "core/os/files.h"
 #include "core/os/input_file.h"
+#include "core/text/console.h"
+#include "core/text/error.h"
 #include "tests/refusal.h"
 
 namespace mandelmarch {

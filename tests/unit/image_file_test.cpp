@@ -16,12 +16,12 @@
 // jpeglib.h must be included after cstdio, whose declarations it uses.
 #include <jpeglib.h>
 
-#include "core/text/error.h"
-#include "core/os/files.h"
-#include "core/os/output_file.h"
 #include "core/image/averaged.h"
 #include "core/image/compare.h"
 #include "core/image/formats/image_file.h"
+#include "core/os/files.h"
+#include "core/os/output_file.h"
+#include "core/text/error.h"
 #include "tests/refusal.h"
 
 namespace mandelmarch {

@@ -16,10 +16,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/text/error.h"
-#include "core/os/files.h"
 #include "core/image/compare.h"
 #include "core/image/formats/image_file.h"
+#include "core/os/files.h"
+#include "core/text/error.h"
 #include "tests/refusal.h"
 
 namespace mandelmarch {

@@ -15,8 +15,8 @@
 #include <system_error>
 
 #include "core/os/child_process.h"
-#include "core/text/error.h"
 #include "core/render/registry.h"
+#include "core/text/error.h"
 #include "tests/refusal.h"
 #include "tests/scenes.h"
 

@@ -10,11 +10,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/error.h"
 #include "core/render/kernel_scene.h"
 #include "core/render/schedule.h"
 #include "core/render/spacing.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 #include "tests/unit/loops_made.h"
 

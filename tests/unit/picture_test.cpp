@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "backends/all.h"
-#include "core/text/error.h"
 #include "core/image/compare.h"
-#include "core/scene/fractal.h"
 #include "core/image/formats/image_file.h"
+#include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

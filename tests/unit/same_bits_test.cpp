@@ -9,8 +9,8 @@
 #include <set>
 
 #include "backends/all.h"
-#include "core/text/error.h"
 #include "core/image/compare.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

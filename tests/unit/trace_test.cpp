@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "backends/all.h"
-#include "core/scene/fractal.h"
 #include "core/instruments/trace.h"
+#include "core/scene/fractal.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

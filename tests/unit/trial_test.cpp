@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "backends/all.h"
-#include "core/text/error.h"
 #include "core/image/compare.h"
 #include "core/render/region.h"
 #include "core/render/trial.h"
 #include "core/scene/fractal.h"
+#include "core/text/error.h"
 #include "tests/scenes.h"
 
 namespace mandelmarch {

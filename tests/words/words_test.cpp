@@ -13,8 +13,8 @@
 #include <limits>
 #include <random>
 
-#include "core/text/error.h"
 #include "core/render/backend.h"
+#include "core/text/error.h"
 #ifdef MANDELMARCH_WORDS_OPENCL
 #include "backends/opencl/device.h"
 #endif

@@ -7,10 +7,10 @@
 #include <array>
 #include <tuple>
 
-#include "core/text/error.h"
 #include "core/os/output_file.h"
 #include "core/scene/fractal.h"
 #include "core/scene/parameter_file.h"
+#include "core/text/error.h"
 
 namespace mandelmarch::explore {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/explore/view/resolution_control.h"
 #include "apps/explore/view/render_thread.h"
+#include "apps/explore/view/resolution_control.h"
 #include "apps/explore/view/window.h"
 #include "core/image/compare.h"
 

@@ -8,8 +8,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/text/error.h"
 #include "core/os/stopwatch.h"
+#include "core/text/error.h"
 #include "flight/film/frames.h"
 
 namespace mandelmarch::explore {

@@ -23,10 +23,10 @@
 #include <limits>
 #include <vector>
 
-#include "core/text/error.h"
 #include "core/image/formats/formats.h"
 #include "core/image/formats/image_file.h"
 #include "core/image/image.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/os/output_file.h"
 #include "core/image/image.h"
+#include "core/os/output_file.h"
 
 namespace mandelmarch {
 

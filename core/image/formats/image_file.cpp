@@ -10,11 +10,11 @@
 #include <limits>
 #include <string_view>
 
-#include "core/text/error.h"
-#include "core/os/input_file.h"
-#include "core/os/memory.h"
 #include "core/image/formats/formats.h"
 #include "core/image/image.h"
+#include "core/os/input_file.h"
+#include "core/os/memory.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

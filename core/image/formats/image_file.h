@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/os/files.h"
 #include "core/image/image.h"
+#include "core/os/files.h"
 
 namespace mandelmarch {
 

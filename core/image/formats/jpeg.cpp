@@ -10,8 +10,8 @@
 #include <csetjmp>
 #include <exception>
 
-#include "core/text/error.h"
 #include "core/image/formats/formats.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -8,9 +8,9 @@
 #include <memory>
 #include <string_view>
 
-#include "core/text/error.h"
 #include "core/image/formats/formats.h"
 #include "core/image/formats/image_file.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -7,9 +7,9 @@
 #include <cctype>
 #include <vector>
 
-#include "core/text/error.h"
 #include "core/image/formats/formats.h"
 #include "core/image/formats/image_file.h"
+#include "core/text/error.h"
 
 namespace mandelmarch {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "core/scene/scene_random.h"
 #include "core/scene/descriptor.h"
 #include "core/scene/hull.h"
 #include "core/scene/scene.h"
+#include "core/scene/scene_random.h"
 
 namespace mandelmarch {
 namespace {

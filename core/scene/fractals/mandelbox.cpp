@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/scene_random.h"
 #include "core/scene/descriptor.h"
 #include "core/scene/scene.h"
+#include "core/scene/scene_random.h"
 
 namespace mandelmarch {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/scene/scene_random.h"
 #include "core/scene/descriptor.h"
 #include "core/scene/hull.h"
 #include "core/scene/scene.h"
+#include "core/scene/scene_random.h"
 
 namespace mandelmarch {
 namespace {
