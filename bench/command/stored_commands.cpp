@@ -33,7 +33,7 @@ std::vector<Result> results_in(const std::vector<std::string>& files)
         throw InputError("bench portability: no result of bench among the files, expected one at least");
     std::set<std::string> revisions;
     for (const Result& result : results) {
-        const Json revision = value_at(result.environment, "/git/revision");
+        const nlohmann::ordered_json revision = value_at(result.environment, "/git/revision");
         revisions.insert(revision.is_string() ? printable(revision.get<std::string>().substr(0, 8), 8) : "unknown");
     }
     if (revisions.size() > 1)

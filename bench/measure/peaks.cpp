@@ -85,7 +85,7 @@ std::vector<Peak> settled_peaks(std::vector<Peak> measured, const PeakMeasuremen
     for (int i = 0; i < most_repeats; ++i) {
         const std::vector<Peak> open = doubtful(measured);
         if (open.empty()) break;
-        for (const Peak& peak : again([&](const Peak& peak) { return count_of(open, peak, 0) > 0; }))
+        for (const Peak& peak : again([&](const Peak& device) { return count_of(open, device, 0) > 0; }))
             measured.push_back(peak);
     }
     return measured;
