@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/scene/fractal.h"
@@ -48,22 +48,26 @@ Count counted(const Scene& scene, const CountOptions& options)
     const auto kernel = kernel_scene<KernelScene<Real>>(scene, options.mode, options.techniques);
     const auto columns = static_cast<std::size_t>((scene.width + block_side - 1) / block_side);
     const auto rows = static_cast<std::size_t>((scene.height + block_side - 1) / block_side);
-    std::vector<BlockCount> blocks(columns * rows);
+    const auto pixels = static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height);
+    // Every stride-th block is counted. If the stride and the columns have no common divisor, all columns are counted.
+    std::size_t stride = (pixels + options.most_pixels - 1) / options.most_pixels;
+    while (std::gcd(stride, columns) > 1) ++stride;
+    std::vector<BlockCount> blocks((columns * rows + stride - 1) / stride);
     parallel(blocks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
+            const auto column = static_cast<int>(i * stride % columns);
+            const auto row = static_cast<int>(i * stride / columns);
             Count& count = blocks[i].count;
-            PixelCount pixels;
+            PixelCount sums;
             std::vector<RaySteps> rays;
-            each_pixel(block_side * static_cast<int>(i % columns), block_side * static_cast<int>(i / columns), scene,
-                       [&](int column, int row) {
-                           rays.push_back(count_pixel(kernel, column, row, pixels));
-                           count.march_estimates += rays.back().size();
-                           for (const int iterations : rays.back())
-                               count.march_iterations += static_cast<unsigned>(iterations);
-                       });
-            count.stages = pixels.stages;
-            count.work = pixels.work;
-            count.hits = pixels.hits;
+            each_pixel(block_side * column, block_side * row, scene, [&](int x, int y) {
+                rays.push_back(count_pixel(kernel, x, y, sums));
+                count.march_estimates += rays.back().size();
+                for (const int iterations : rays.back()) count.march_iterations += static_cast<unsigned>(iterations);
+            });
+            count.stages = sums.stages;
+            count.work = sums.work;
+            count.hits = sums.hits;
             count.pixels = rays.size();
             for (const int lanes : options.lanes) blocks[i].lanes.emplace_back(lanes).add(rays);
         }
@@ -150,12 +154,7 @@ Count& Count::operator+=(const Count& other)
 
 Count count_operations(const Scene& scene, const CountOptions& options)
 {
-    Scene smaller = scene;
-    const double pixels = static_cast<double>(scene.width) * scene.height;
-    const double scale = std::min(1.0, std::sqrt(static_cast<double>(options.most_pixels) / pixels));
-    smaller.width = std::max(1, static_cast<int>(scale * scene.width));
-    smaller.height = std::max(1, static_cast<int>(scale * scene.height));
-    return options.precision == Precision::f32 ? counted<float>(smaller, options) : counted<double>(smaller, options);
+    return options.precision == Precision::f32 ? counted<float>(scene, options) : counted<double>(scene, options);
 }
 
 }  // namespace mandelmarch::bench

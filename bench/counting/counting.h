@@ -83,11 +83,11 @@ struct CountOptions {
     Mode mode = Mode::exact;
     Techniques techniques = {};
     std::vector<int> lanes = {16, 32};  // lengths of the vectors or warps for which lane utilisation is computed
-    std::int64_t most_pixels = 600 * 600;
+    std::size_t most_pixels = 600 * 600;
 };
 
-// Counts the operations of a picture or, if it has more than options.most_pixels pixels, of a smaller picture of the
-// same view. Throws Unavailable if there is no counting kernel for the fractal.
+// Counts the operations of a picture or, if it has more than options.most_pixels pixels, of evenly spread blocks of it.
+// Throws Unavailable if there is no counting kernel for the fractal.
 Count count_operations(const Scene& scene, const CountOptions& options);
 
 }  // namespace mandelmarch::bench

@@ -91,7 +91,7 @@ class BlenderTest(unittest.TestCase):
                                   for name, frame in (("b", 3), ("tour", 2), ("a", 1))]
         header, first, tour, second = blender_path.places(bpy).splitlines()
         with open(os.path.join(TOOLS, "..", "flight", "path", "places.h"), encoding="utf-8") as file:
-            self.assertIn(f'"{header}"', file.read())
+            self.assertIn(f'"{header},field_of_view,roll"', file.read())
         self.assertEqual(tour, "tour")
         for line, frame, time in ((first, 1, 0), (second, 3, 2 / 30)):
             *numbers, stay = line.split(",")
