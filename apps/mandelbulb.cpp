@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/renderer_app.h"
+
+int mandelbulb_main(int argc, char** argv)
+{
+    return mandelmarch::renderer_main("mandelbulb", "mandelbulb", argc, argv);
+}
