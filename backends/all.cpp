@@ -40,6 +40,7 @@ bool isolates(std::span<char*> arguments)
 std::vector<std::string> opened_backends()
 {
     const std::string text = environment_variable("MANDELMARCH_BACKENDS");
+    if (text.empty()) return {};
     const std::vector<std::string_view> names = split(text, ',');
     for (const std::string_view name : names) {
         if (std::ranges::count(registrations, name, &Registration::name) > 0) continue;

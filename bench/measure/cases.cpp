@@ -143,8 +143,7 @@ std::function<bool(const std::string& name)> selection(const std::string& filter
 {
     if (filter.empty()) return [](const std::string&) { return true; };
     const bool others = filter.front() == '-';
-    const std::string text = filter.substr(others ? 1 : 0) + ',';
-    const std::vector<std::string_view> parts = split(text, ',');
+    const std::vector<std::string_view> parts = split(std::string_view(filter).substr(others ? 1 : 0), ',');
     const std::vector<std::string> patterns(parts.begin(), parts.end());
     if (std::ranges::count(patterns, "") != 0) {
         throw InputError(fmt::format("--filter: '{}' given, expected texts with commas between them", filter));

@@ -19,8 +19,7 @@ bool Options::selects(std::string_view backend) const
 std::vector<std::string> parse_backends(Registry& registry, std::string_view text)
 {
     if (text == "all") return {};
-    const std::string ended = fmt::format("{},", text);
-    const std::vector<std::string_view> parts = split(ended, ',');
+    const std::vector<std::string_view> parts = split(text, ',');
     std::vector<std::string> names(parts.begin(), parts.end());
     for (const std::string& name : names) {
         if (registry.open(name) != nullptr) continue;

@@ -58,7 +58,7 @@ int cores_given()
 // Returns the list in an environment variable: its words in small letters, without the blanks around them.
 std::vector<std::string> list_in(VariableName variable)
 {
-    const std::string text = environment_variable(variable) + ",";
+    const std::string text = environment_variable(variable);
     std::vector<std::string> words;
     for (const std::string_view part : split(text, ',')) {
         std::string& word = words.emplace_back(trimmed(part));

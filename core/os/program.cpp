@@ -2,7 +2,6 @@
 #include "core/os/program.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>

@@ -55,6 +55,7 @@ std::string_view name_of(Role role)
 Techniques techniques_without(std::string_view names)
 {
     Techniques techniques;
+    if (names.empty()) return techniques;
     for (const std::string_view name : split(names, ',')) {
         const auto found = std::ranges::find(names_of_techniques, name, &NamedTechnique::name);
         if (found == names_of_techniques.end()) {

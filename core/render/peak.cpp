@@ -2,7 +2,6 @@
 #include "core/render/peak.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mandelmarch {
 namespace {

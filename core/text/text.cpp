@@ -63,9 +63,8 @@ std::string_view trimmed(std::string_view text)
 std::vector<std::string_view> split(std::string_view text, char separator)
 {
     std::vector<std::string_view> parts;
-    while (!text.empty()) {
-        parts.push_back(text.substr(0, text.find(separator)));
-        text.remove_prefix(std::min(parts.back().size() + 1, text.size()));
+    for (std::size_t from = 0; from <= text.size(); from += parts.back().size() + 1) {
+        parts.push_back(text.substr(from, text.find(separator, from) - from));
     }
     return parts;
 }

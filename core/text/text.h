@@ -23,7 +23,7 @@ inline constexpr std::string_view blanks = " \t\r\n\f\v";
 // Returns the text without the blanks at its beginning and end.
 std::string_view trimmed(std::string_view text);
 
-// Returns the parts between separators. A separator at the end of the text ends the last part.
+// Returns the parts between separators, also empty ones; a text without separators is one part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 // Returns what `function`, such as a pointer to a member, gives for each element of the list.

@@ -2,7 +2,6 @@
 // Operation counts must equal counts made by hand and the work counts that a backend reports.
 #include "bench/counting/counting.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -89,9 +89,10 @@ TEST(Plan, EndsWhenItsProcessorTimeIsSpent)
 
 TEST(Schedule, RefusesNonsenseInOneLine)
 {
-    for (const char* text :
-         {"", "x", "2:", ":2", "2:3:4", "nan", "2:1e9", "0s=2,=3", "0s=2,5=3", "5s", "0s=2,3s=3,3s=2", "5s=2,3s=3",
-          "-1s=2", "0s=2,11s=3", "2:1", "2:-2", "2:0.5", "2,3", "0s=2,,5s=3"}) {
+    for (const char* text : {"",           "x",          "2:",        ":2",   "2:3:4",          "nan",
+                             "2:1e9",      "0s=2,=3",    "0s=2,5=3",  "5s",   "0s=2,3s=3,3s=2", "5s=2,3s=3",
+                             "-1s=2",      "0s=2,11s=3", "2:1",       "2:-2", "2:0.5",          "2,3",
+                             "0s=2,,5s=3", "2:3:",       "0s=2,5s=3,"}) {
         const std::string refusal = refusal_of([&] { scale(text); });
         EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
         EXPECT_TRUE(refusal.starts_with("--scale: ")) << text << ": " << refusal;

@@ -74,7 +74,7 @@ PY
     run 2 plan places.csv --places places.csv
 }
 
-# A flight can be planned at another frame rate. rate_test.cpp tests that it is the same flight.
+# A flight can be planned at another frame rate. path_test.cpp tests that it is the same flight.
 test_rates() {
     run 2 plan new.json --fps 29.97
     run 0 plan plan.json --frames 48 --fps 24

@@ -98,8 +98,8 @@ TEST_P(EveryFractal, OtherLightIsDetected)
     EXPECT_GT(share_off(drawn(scene, Mode::fast, ""), drawn(other, Mode::fast, "gradient")), most_off);
 }
 
-// The hull does not cut off any surface: exact pictures with and without it are the same. unit/hull_test.cpp has the
-// negative control, a hull that is too small.
+// The hull does not cut off any surface: exact pictures with and without it are the same. unit/techniques_test.cpp has
+// the negative control, a hull that is too small.
 TEST_P(EveryFractal, HullChangesNoPicture)
 {
     std::vector<NamedScene> all = random_scenes(40, 4711);

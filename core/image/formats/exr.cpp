@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 #include "core/image/formats/formats.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <vector>
 
 #include "core/image/formats/formats.h"
 #include "core/image/formats/image_file.h"

@@ -36,8 +36,8 @@ std::string_view objection(const Scene& scene)
 // Outside this radius r, an iteration multiplies r by |s|, except for a change of at most 2 |s| sqrt 3 by the box fold,
 // and adds p. The factor 0.96 was found by experiment: with it, nearly all orbits escape in the third or fourth
 // iteration of the tail. If r is about twice the fractal's extent, an orbit outside rarely returns to the spheres of
-// the sphere fold, because the coordinates of p exceed that extent only a little. tests/unit/tail_test.cpp counts the
-// exceptions.
+// the sphere fold, because the coordinates of p exceed that extent only a little. tests/unit/techniques_test.cpp counts
+// the exceptions.
 double tail_radius(const Scene& scene)
 {
     const auto [scale, inner, fixed] = scene.shape;
