@@ -139,7 +139,8 @@ void result_json(std::string_view of)
         const std::string text = text_of(json_of(result));
         demand(text_of(json_of(parse_result(text, "x"))) == text);
         demand(to_csv(result).find('\n') != std::string::npos);
-        const Result twice = merged({result, result});
+        if (result.runs > 1000) return;
+        const Result twice = with_further_runs(result, result.runs + 1, [&](int) { return result; });
         for (std::size_t i = 0; i < result.rows.size(); ++i) {
             demand(twice.rows[i].samples.size() == 2 * result.rows[i].samples.size());
         }
