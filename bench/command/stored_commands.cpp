@@ -63,7 +63,8 @@ void CompareCommand::declare(CLI::App& app, Registry& /*registry*/)
 
 int CompareCommand::run(Registry& /*registry*/) const
 {
-    const ComparedResults comparison = compare_results(read_result(files.at(0)), read_result(files.at(1)));
+    const Result old = read_result(files.at(0));
+    const ComparedResults comparison = compare_results(old, read_result(files.at(1)));
     print(std::string_view(to_console(comparison)));
     return regression(comparison.rows) ? exit_failure : exit_success;
 }
