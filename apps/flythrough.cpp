@@ -185,7 +185,8 @@ int render(const Flythrough& options, const Path& path, const Backend& backend, 
     const FilmOptions& film = options.film;
     if (!film.stills.empty()) {
         const std::size_t pictures = make_stills(path, backend, film, ranks);
-        if (ranks.rank() == 0) say("stills: {} {} in {}\n", pictures, pictures == 1 ? "picture" : "pictures", film.stills);
+        if (ranks.rank() == 0)
+            say("stills: {} {} in {}\n", pictures, pictures == 1 ? "picture" : "pictures", film.stills);
         return exit_success;
     }
     const FilmStats report = make_film(path, backend, film, ranks);
