@@ -14,6 +14,8 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("apps", "backends", "bench", "core", "flight", "report")
 REPORT = ROOT / "report" / "out"  # output of `make report`
 ALLOWED = {
+    "apps/mandelbox.cpp": "the program of that name",
+    "apps/mandelbulb.cpp": "the program of that name",
     "backends/reference/reference.cpp": "which estimators it has",
     "bench/result/figures.h": "the two fractals of the question that the study box-vs-bulb is about",
     "bench/measure/views.cpp": "scenes of the studies, with defaults for other fractals",
