@@ -17,7 +17,7 @@ namespace mandelmarch::bench {
 
 // Measures a study.
 struct MeasureCommand {
-    std::vector<std::string> arguments;  // of the program; further runs have them, too
+    std::vector<std::string> arguments;  // the program's arguments, which it passes to further runs
     Options options{};
     Outputs outputs{};
     std::string earlier{};  // stored result to continue; empty: none
@@ -68,7 +68,7 @@ struct PortabilityCommand {
 
 // Prints the text that its only argument selects.
 struct PrintCommand {
-    std::string name, about;  // of the argument
+    std::string name, about;  // the argument's name and description, for the help text
     std::string (*text)(const std::string& argument);
     std::string argument{};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "apps/cli/options.h"
@@ -48,6 +49,11 @@ Result continued(const MeasureCommand& command, const Registry& registry)
     const std::string found = where(earlier.study, earlier.environment);
     const std::string expected = where(std::string(command.options.study->name), environment(registry));
     if (found != expected) throw InputError(fmt::format("{}: {} found, expected {}", command.earlier, found, expected));
+    for (const std::string& name : command.options.backends) {
+        if (std::ranges::find(earlier.rows, name, &Row::backend) != earlier.rows.end()) continue;
+        throw InputError(
+            fmt::format("{}: it has no row of {}, expected the backends of --backend", command.earlier, name));
+    }
     if (earlier.runs >= command.options.runs) {
         throw InputError(fmt::format("{}: it has {} runs, expected fewer than --runs {}", command.earlier, earlier.runs,
                                      command.options.runs));

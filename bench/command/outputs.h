@@ -14,7 +14,8 @@ namespace mandelmarch::bench {
 // changes. A result of such sources could not be reproduced.
 void refuse_kept_result(const std::string& path, const std::string& results, bool sources_changed);
 
-// What a command found: its table, and the texts of its outputs by their options. `passed`: the command succeeded.
+// The results of a command: a table, and for each option that names an output the text to write there. `passed`: true
+// if the command succeeded.
 struct Texts {
     std::string table;
     bool passed = true;

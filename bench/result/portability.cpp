@@ -25,7 +25,7 @@ struct Entry {
     const Result* result;
     const Row* row;
     std::vector<double> times;    // kernel times of all runs
-    std::vector<double> medians;  // of the runs
+    std::vector<double> medians;  // one for each run
 };
 
 struct Problem {

@@ -27,7 +27,7 @@ struct Sample {
     int round = 0;                                          // index within that run
     double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
     double host = 0;
-    std::optional<double> joules{};  // of a picture, on average (bench/measure/telemetry.h); nullopt: unknown
+    std::optional<double> joules{};  // mean energy for a picture (bench/measure/telemetry.h); nullopt: unknown
 
     // Adds the times of a picture.
     void add(const Timings& t)

@@ -96,9 +96,7 @@ Result read_result(const std::string& path) { return result_from_json(json_in(pa
 
 std::optional<Result> read_if_result(const std::string& path)
 {
-    const std::string text = text_of_file(path, result_kind);
-    if (text.find(result_schema) == std::string::npos) return std::nullopt;
-    const Json json = parsed(text, path);
+    const Json json = parsed(text_of_file(path, result_kind), path);
     return schema_in(json) == result_schema ? std::optional(result_from_json(json, path)) : std::nullopt;
 }
 

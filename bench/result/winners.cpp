@@ -55,8 +55,7 @@ std::string line_of(const Result& result, const Ranking& ranking)
     const std::string name = label_of(first);
     std::string text = fmt::format("{} {} {}: ", first.fractal, name_of(first.precision), name_of(first.mode));
     if (ranking.others.empty()) return text + name + " alone was timed";
-    // Name the first of the others that is not slower than the fastest configuration or, if all are slower, the first
-    // of them.
+    // Name the first configuration that is not slower than the fastest one. If all are slower, name the next fastest.
     const auto slower = [](const Compared& other) { return other.verdict == Verdict::slower; };
     const auto open = std::ranges::find_if_not(ranking.others, slower);
     const bool won = open == ranking.others.end();

@@ -51,7 +51,7 @@ std::optional<Interval> run_interval(std::span<const double> medians);
 struct Moments {
     double mean = 0;
     double variance_of_mean = 0;
-    double degrees = 0;  // of freedom
+    double degrees = 0;  // degrees of freedom
 };
 Moments moments(std::span<const double> values);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows from the cameras of a path, and from their clearances in the shapes that the fractal has: turns, jerk,
-// roll, standing still, narrow places and chapters.
+// Computes turns, jerk, roll, standing still, narrow places and chapters of a path from its cameras and their
+// clearances.
 #pragma once
 
 #include <array>

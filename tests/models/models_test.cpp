@@ -80,7 +80,7 @@ TEST_P(Models, PeakIsInOperationsPerSecond)
     for (const Precision precision : {Precision::f64, Precision::f32}) {
         const auto peak = model.multiply_add_peak({.precision = precision});
         ASSERT_TRUE(peak.has_value());
-        EXPECT_GT(*peak, 1e6);  // a smaller value must be in a wrong unit, even on a busy machine
+        EXPECT_GT(*peak, 1e8);  // a smaller value must be in a wrong unit
     }
 }
 
