@@ -73,4 +73,7 @@ with tempfile.TemporaryDirectory() as name:
     command = [BENCH, *ROWS, "--no-peaks", "--repetitions", "2", "--runs", runs, "--continue", result, "--json", result]
     subprocess.run(command, capture_output=True, check=True)
     assert str(json.loads(result.read_text(encoding="utf-8"))["runs"]) == runs
+    # A backend that the result lacks is refused.
+    refused = subprocess.run([word if word != "openmp" else "reference" for word in command], capture_output=True, text=True)
+    assert refused.returncode == 2 and "no row of reference" in refused.stderr, refused
 print("fine")
