@@ -6,7 +6,7 @@ mandelmarch_cases(builds builds/builds_test.sh WIDE subproject package blank exc
     ARGUMENTS ${source} ${PROJECT_BINARY_DIR})
 # Two programs whose list of backends has an additional line, which registers the skeleton.
 mandelmarch_registry(mandelmarch_backends_and_skeleton ${MANDELMARCH_REGISTERED} skeleton)
-add_executable(render_with_skeleton ${PROJECT_BINARY_DIR}/apps/render.cpp ${PROJECT_BINARY_DIR}/apps/render_main.cpp)
+add_executable(render_with_skeleton ${PROJECT_SOURCE_DIR}/apps/render.cpp ${PROJECT_BINARY_DIR}/apps/render_main.cpp)
 target_link_libraries(render_with_skeleton PRIVATE mandelmarch_apps mandelmarch_backends_and_skeleton mandelmarch_warnings)
 add_executable(bench_with_skeleton ${PROJECT_SOURCE_DIR}/bench/main.cpp ${PROJECT_BINARY_DIR}/bench/bench_main.cpp)
 target_link_libraries(bench_with_skeleton PRIVATE mandelmarch_bench mandelmarch_backends_and_skeleton mandelmarch_warnings)
