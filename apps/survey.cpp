@@ -166,6 +166,7 @@ void write_stats(const std::string& path, const Scene& scene, const RenderStats&
           {"build", t.build},
           {"upload", t.upload},
           {"kernel", t.kernel},
+          {"trial", t.trial},
           {"host", t.host},
           {"readback", t.readback},
           {"wall", t.wall}}},

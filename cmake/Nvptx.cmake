@@ -9,6 +9,7 @@ mark_as_advanced(nvptx_as)
 # correctly and keeps subnormal numbers. nvptx_as.in fixes the rounding of add, sub and mul.
 set(MANDELMARCH_NVPTX_OPTIONS -fno-math-errno -fno-trapping-math -misa=sm_35)
 set(MANDELMARCH_NVPTX_ASSEMBLER ${CMAKE_BINARY_DIR}/nvptx)  # folder
+option(MANDELMARCH_NVPTX_APPROXIMATE "In fast mode, openacc and omptarget use the GPU's approximate instructions" ON)
 if(nvptx_as)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/nvptx_as.in ${MANDELMARCH_NVPTX_ASSEMBLER}/as @ONLY
         FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -20,6 +21,9 @@ set(MANDELMARCH_NVPTX_LINK "-foffload-options=nvptx-none=${MANDELMARCH_NVPTX_LIN
 # registers over a whole loop are disabled: hoisting of invariants, and elimination of redundancies across basic blocks.
 # tests/gpu/ptx_test.py limits the registers.
 set(MANDELMARCH_NVPTX_FEW_REGISTERS -O2 -fno-gcse -fno-tree-pre -fno-move-loop-invariants -fno-tree-loop-optimize)
+if(NOT MANDELMARCH_NVPTX_APPROXIMATE)
+    list(APPEND MANDELMARCH_NVPTX_FEW_REGISTERS -DMM_EXACT_WORDS)
+endif()
 
 # mandelmarch_loop_compiles(RESULT DIRECTIVE): sets RESULT to whether the compiler can compile a loop under the pragma
 # DIRECTIVE, with the caller's CMAKE_REQUIRED_FLAGS and CMAKE_REQUIRED_LINK_OPTIONS.

@@ -65,9 +65,19 @@ def rows_of(files):
                 yield kind, str(row["backend"]), milliseconds, len(row["samples"]), size
 
 
+def first_picture(files, backend):
+    """Returns the milliseconds from opening the backend's device to the end of its first picture; "-" if unknown."""
+    name = f"seen-{backend}.json"
+    if name not in files:
+        return "-"
+    with reading(name, EXPECTED):
+        seconds = json.loads(files[name])["seconds"]
+        return f"{1000 * (seconds['context'] + seconds['wall']):.4g}"
+
+
 def times(files):
     """Returns words for the number of pictures and their size, empty if there are none, and a table: the kernel
-    milliseconds of each backend, for each fractal, precision and mode."""
+    milliseconds of each backend, for each fractal, precision and mode, and those of first_picture()."""
     sizes, counts, cells = set(), set(), {}
     for kind, backend, milliseconds, count, size in rows_of(files):
         cells.setdefault(kind, {})[backend] = f"{milliseconds:.4g}"
@@ -76,6 +86,7 @@ def times(files):
     timed = list(dict.fromkeys(name for row in cells.values() for name in row))
     table = [f"| picture | {' | '.join(timed)} |", "|---" * (len(timed) + 1) + "|"]
     table += [f"| {kind} | {' | '.join(row.get(name, '-') for name in timed)} |" for kind, row in sorted(cells.items())]
+    table.append(f"| first picture | {' | '.join(first_picture(files, name) for name in timed)} |")
     return f"{' or '.join(map(str, sorted(counts)))} pictures of {', '.join(sorted(sizes))}" if cells else "", table
 
 
@@ -94,7 +105,8 @@ def page(files, device, steps):
     summary += [f"- {name}: {steps[name][2] or steps[name][0]}." for name in tried if name not in same]
     pictures, table = times(files)
     if pictures:
-        summary += ["", f"Median kernel times in ms of {pictures}:", "", *table]
+        summary += ["", f"Median kernel times in ms of {pictures}. First picture: from opening the device to the end of a picture of",
+                    "32 x 32 pixels, with all kernels to be translated by the driver:", "", *table]
     broken = [(name, *step) for name, step in steps.items() if step[0] in ("failed", "late") and name not in tried]
     if broken:
         summary += ["", *(f"- Step {name} {result}: {words or 'no output'}" for name, result, _, words in broken)]

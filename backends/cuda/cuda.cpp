@@ -23,26 +23,15 @@ namespace {
 using MM_MODEL::check;
 using MM_MODEL::driver;
 
-// Returns an NVIDIA GPU's compute capability, times ten; 0 for other GPUs.
-int capability_of(int device)
-{
-    int major = 0;
-    int minor = 0;
-    if (driver().is_amd) return 0;
-    check(driver().attribute(&major, 75, device), "querying the device's attributes");
-    check(driver().attribute(&minor, 76, device), "querying the device's attributes");
-    return 10 * major + minor;
-}
-
 class Gpu : public job::Model {
 public:
     std::string_view name() const override { return MANDELMARCH_GPU_MODEL; }
     BackendInfo info() const override
     {
         return {.title = std::string_view(MANDELMARCH_GPU_MODEL) == "hip" ? "HIP" : "CUDA",
-                .distribution = "one GPU thread per pixel, with the same kernels as openacc",
+                .distribution = "warps that take pixels from a queue and shade their hits together",
                 .has_driver = true,
-                .block_size = true,
+                .resident_warps = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override
@@ -50,10 +39,10 @@ public:
         if (driver().devices == 0) return driver().missing;
         return std::nullopt;
     }
-    job::Kernels kernels() const override { return {MM_MODEL::drawing, MM_MODEL::chains}; }
+    job::Kernels kernels() const override { return {MM_MODEL::drawing, MM_MODEL::chains, true}; }
     std::vector<KernelResources> build(job::DrawKernel* launch) const override
     {
-        return MM_MODEL::loaded_by([&] { launch(nullptr, {}); });
+        return MM_MODEL::loaded_by([&] { launch({}); });
     }
     int devices() const override { return driver().devices; }
 
@@ -64,19 +53,18 @@ public:
         std::array<char, 256> name{};
         check(driver().device(&device, index), "finding the device");
         check(driver().name(name.data(), static_cast<int>(name.size()), device), "querying the device's name");
-        const int capability = capability_of(device);
         check(driver().open(&context, device), "opening the device");
         const std::scoped_lock lock(mutex_);
         contexts_[index] = context;
-        capabilities_[index] = capability;
-        const int threads = job::resident_threads(driver(), index);
+        const job::GpuSize size = job::size_of(driver(), index);
+        capabilities_[index] = size.capability;
         return {.device = {.name = printable(name.data()),
                            .vendor = driver().vendor,
                            .driver = job::version_of(driver()),
                            .is_gpu = true},
                 .instruction_set = MANDELMARCH_GPU_CODE,
-                .pixels_per_band = pixels_of_gpu(threads),
-                .resident_threads = threads,
+                .pixels_per_band = pixels_of_gpu(size.resident_threads),
+                .multiprocessors = size.multiprocessors,
                 .peak_threads = 1 << 21};
     }
 
@@ -94,7 +82,6 @@ public:
             context = contexts_.at(options.device);
         }
         check(driver().use(context), "using the device");
-        MM_MODEL::use_blocks_of(options.block_size);
         return nullptr;
     }
 
@@ -134,6 +121,10 @@ public:
         return driver().allocate_staging(&address, bytes, 0) == 0 ? address : nullptr;
     }
     void release_staging(void* address) const override { driver().release_staging(address); }
+    std::shared_ptr<void> lock_memory(std::span<std::uint8_t> memory) const override
+    {
+        return job::locked(driver(), memory);
+    }
 
 private:
     mutable std::mutex mutex_;

@@ -10,16 +10,11 @@
 namespace mandelmarch::MM_MODEL {
 namespace {
 
-// Settings of the calling thread.
-struct OfThread {
-    std::vector<KernelResources>* told = nullptr;  // result of loaded_by(), while it runs; null at other times
-    int block = job::block_threads;
-};
-
-OfThread& of_thread()
+// Returns the result of the calling thread's loaded_by(), while it runs; null at other times.
+std::vector<KernelResources>*& resources_of_thread()
 {
-    thread_local OfThread state;
-    return state;
+    thread_local std::vector<KernelResources>* resources = nullptr;
+    return resources;
 }
 
 int resource(void* function, int which)
@@ -29,16 +24,33 @@ int resource(void* function, int which)
     return value;
 }
 
+// Returns a stream of the calling thread in the context that it uses. Streams are never destroyed, as events_of() in
+// core/gpu/driver.cpp.
+void* stream_of(std::size_t number)
+{
+    thread_local std::map<void*, std::vector<void*>> made;
+    if (number == 0) return nullptr;
+    void* context = nullptr;
+    check(driver().in_use(&context), "querying the device in use");
+    std::vector<void*>& streams = made[context];
+    while (streams.size() < number) {
+        void* stream = nullptr;
+        check(driver().make_stream(&stream, 0), "making a stream");
+        streams.push_back(stream);
+    }
+    return streams[number - 1];
+}
+
 }  // namespace
 
-const Module::Loaded& Module::loaded()
+void* Module::loaded()
 {
     const job::Driver& d = driver();
     void* context = nullptr;
     check(d.in_use(&context), "querying the device in use");
     const std::scoped_lock lock(mutex_);
-    Loaded& kernel = loaded_[context];
-    if (kernel.function == nullptr) {
+    void*& kernel = loaded_[context];
+    if (kernel == nullptr) {
         void* module = nullptr;
         const int result = d.load(&module, image_);
         if (std::ranges::count(d.refusals, result) > 0) {
@@ -46,45 +58,38 @@ const Module::Loaded& Module::loaded()
                                           d.model, d.vendor, job::version_of(d), MANDELMARCH_GPU_NEEDED));
         }
         check(result, "loading a kernel");
-        check(d.find(&kernel.function, module, name_), "finding a kernel");
-        kernel.most_threads = resource(kernel.function, job::most_threads_of_block);
+        check(d.find(&kernel, module, name_), "finding a kernel");
     }
-    if (of_thread().told != nullptr) {
-        of_thread().told->push_back({.kernel = name_,
-                                     .registers = resource(kernel.function, job::number_of_registers),
-                                     .local_bytes = resource(kernel.function, job::bytes_of_stack)});
+    if (auto* const resources = resources_of_thread()) {
+        resources->push_back({.kernel = name_,
+                              .registers = resource(kernel, job::number_of_registers),
+                              .local_bytes = resource(kernel, job::bytes_of_stack)});
     }
     return kernel;
 }
 
-void Module::launch(int threads, std::initializer_list<const void*> arguments)
+void Module::launch(int threads, std::initializer_list<const void*> arguments, std::size_t stream)
 {
-    const int block = of_thread().block;
-    const Loaded& kernel = loaded();
-    if (block > kernel.most_threads) {
-        throw Unavailable(fmt::format("backend {}: {} threads a block given, {} at most for {}", driver().model, block,
-                                      kernel.most_threads, name_));
-    }
+    void* const kernel = loaded();
     std::vector<void*> addresses;
     for (const void* argument : arguments) addresses.push_back(const_cast<void*>(argument));
-    check(driver().launch(kernel.function, static_cast<unsigned>((threads + block - 1) / block), 1, 1,
-                          static_cast<unsigned>(block), 1, 1, 0, nullptr, addresses.data(), nullptr),
+    constexpr int block = job::block_threads;
+    check(driver().launch(kernel, static_cast<unsigned>((threads + block - 1) / block), 1, 1, block, 1, 1, 0,
+                          stream_of(stream), addresses.data(), nullptr),
           "launching a kernel");
 }
-
-void use_blocks_of(int threads) { of_thread().block = threads > 0 ? threads : job::block_threads; }
 
 std::vector<KernelResources> loaded_by(const std::function<void()>& load)
 {
     std::vector<KernelResources> resources;
-    of_thread().told = &resources;
+    resources_of_thread() = &resources;
     try {
         load();
     } catch (...) {
-        of_thread().told = nullptr;
+        resources_of_thread() = nullptr;
         throw;
     }
-    of_thread().told = nullptr;
+    resources_of_thread() = nullptr;
     return resources;
 }
 

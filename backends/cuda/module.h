@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads and launches kernels that are embedded in the program: of cuda, as PTX; of hip, as code objects. Each of the
-// two backends compiles this folder with its own values of the macros that cmake/Models.cmake defines.
+// Loads and launches kernels that are embedded in the program: of cuda, as PTX and machine code; of hip, as code
+// objects. Each of the two backends compiles this folder with its own values of the macros that cmake/Models.cmake
+// defines.
 #pragma once
 
 #include <functional>
@@ -13,7 +14,7 @@
 #include "core/models/job.h"
 #include "core/render/backend.h"
 
-// Directives of the assembler for the bytes of an image. cuda: PTX, which ends with a zero byte. hip: a bundle of code
+// Directives of the assembler for the bytes of an image. cuda: the fat binary of nvcc. hip: a bundle of code
 // objects, as clang-offload-bundler makes it (Clang's documentation, "Bundled Code Object Layout"). It begins with the
 // number of objects. Then it has the place, the size and the name of an object for the host, which is empty, and of one
 // for each GPU. The objects follow.
@@ -26,7 +27,7 @@
                 "1: .ascii \"hipv4-amdgcn-amd-amdhsa--\\gpu\"\n2:\n")                                                 \
     MM_FOR_GPUS(".balign 4096\n.L" name "\\gpu: .incbin \"" file ".\\gpu\"\n.Lend" name "\\gpu:\n")
 #else
-#define MM_BYTES(name, file) ".incbin \"" file ".ptx\"\n.byte 0\n"
+#define MM_BYTES(name, file) ".incbin \"" file ".fatbin\"\n"
 #endif
 
 // Embeds an image of kernels as an array with this name.
@@ -47,32 +48,25 @@ class Module {
 public:
     Module(const char* image, const char* name) : image_(image), name_(name) {}
 
-    // Loads the kernel on the calling thread's device. NVIDIA's driver translates the PTX for that device. Throws
-    // Unavailable if the image does not suit the driver or the device.
+    // Loads the kernel on the calling thread's device. NVIDIA's driver translates the PTX for that device, unless the
+    // image has its machine code. Throws Unavailable if the image does not suit the driver or the device.
     void load() { static_cast<void>(loaded()); }
-    // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: addresses of the kernel's
-    // arguments. Throws Unavailable if the kernel's registers do not allow blocks of this size on the device.
-    void launch(int threads, std::initializer_list<const void*> arguments);
+    // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: addresses of the kernel's arguments.
+    // Launches in different streams may run at the same time. Stream 0 is the default stream, in which a launch or a copy
+    // waits for all streams.
+    void launch(int threads, std::initializer_list<const void*> arguments, std::size_t stream = 0);
 
 private:
-    struct Loaded {
-        void* function = nullptr;
-        int most_threads = 0;  // max threads per block
-    };
-
-    const Loaded& loaded();
+    void* loaded();
 
     const char* image_;
     const char* name_;
     std::mutex mutex_;
-    std::map<void*, Loaded> loaded_;
+    std::map<void*, void*> loaded_;  // by context
 };
 
 // Returns the resources of the kernels that `load` loads in the calling thread.
 std::vector<KernelResources> loaded_by(const std::function<void()>& load);
-
-// Sets the threads per block for later launches of the calling thread; 0: job::block_threads.
-void use_blocks_of(int threads);
 
 // Waits for all launches on the calling thread's device.
 void wait();

@@ -32,9 +32,12 @@ job::OpenedDevice opened(int index, job::Chains*)
                         .driver = text_of(index, acc_property_driver),
                         .is_gpu = true};
     omp_target_free(omp_target_alloc(1, index), index);  // opens the device: the driver translates the kernels
+    const job::GpuSize size = job::size_of(job::nvidia_driver(), index);
     return {.device = device,
             .instruction_set = "PTX for sm_35",
-            .pixels_per_band = pixels_of_gpu(job::resident_threads(job::nvidia_driver(), index)),
+            .pixels_per_band = pixels_of_gpu(size.resident_threads),
+            .multiprocessors = size.multiprocessors,
+            .resident_warps = size.capability < 70 ? job::resident_warps_before_70 : job::resident_warps,
             .peak_threads = 1 << 21};
 }
 

@@ -103,10 +103,11 @@ public:
     {
         return {.title = "OpenMP target directives",
                 .distribution =
-                    "one GPU thread per pixel, with the same kernels as openacc; on the host, its "
-                    "threads share the pixels",
+                    "warps that take tiles of 8 x 4 pixels from a queue, with the same kernels as openacc; on the host, its "
+                    "threads take them",
                 .has_driver = true,
                 .threads = true,
+                .resident_warps = true,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
     std::optional<std::string> unavailable() const override

@@ -64,29 +64,30 @@ public:
     {
         return {.title = "OpenACC",
                 .distribution =
-                    "one GPU thread per pixel, or threads that take pixels from a queue if lanes refill; "
-                    "128 threads per block; one kernel after the other per band of the picture: cones "
-                    "(in fast mode), march, shade, bytes",
+                    "warps that take tiles of 8 x 4 pixels from a queue; 128 threads per block; in fast mode, another "
+                    "kernel marches cones before",
                 .role = Role::accelerator,
                 .has_driver = true,
+                .resident_warps = true,
                 .gpus = gpu_kind,
                 .build = {MANDELMARCH_BUILD_COMPILER, MANDELMARCH_BUILD_EXACT, MANDELMARCH_BUILD_FAST}};
     }
-    job::Kernels kernels() const override { return {openacc::drawing, openacc::chains}; }
+    job::Kernels kernels() const override { return {openacc::drawing, openacc::chains, true}; }
     int devices() const override { return gpus() + 1; }
 
     job::OpenedDevice open(int index) const override
     {
         if (index < gpus()) {
             use(index);  // the driver translates the kernels
-            const int threads = job::resident_threads(job::nvidia_driver(), index);
+            const job::GpuSize size = job::size_of(job::nvidia_driver(), index);
             return {.device = {.name = text_of(index, acc_property_name),
                                .vendor = text_of(index, acc_property_vendor),
                                .driver = text_of(index, acc_property_driver),
                                .is_gpu = true},
                     .instruction_set = "PTX for sm_35",
-                    .pixels_per_band = pixels_of_gpu(threads),
-                    .resident_threads = threads,
+                    .pixels_per_band = pixels_of_gpu(size.resident_threads),
+                    .multiprocessors = size.multiprocessors,
+                    .resident_warps = size.capability < 70 ? job::resident_warps_before_70 : job::resident_warps,
                     .peak_threads = gpu_threads};
         }
         const std::string name =

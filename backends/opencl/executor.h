@@ -58,22 +58,26 @@ public:
     void warm_up()
     {
         const int rows = static_cast<int>(pixels_) / width_;
-        if (cone_side_ > 0) march_cones({0, 0}, rows, "compiling");
-        launch({0, 0}, rows, "compiling");
+        if (cone_side_ > 0) march_cones({0, 0}, rows);
+        draw({0, 0}, rows);
+        wait_for(launched_, "compiling");
+        launched_.clear();
     }
 
     void run(Entry entry, const Band& band, int) override
     {
-        const Clock::time_point start = Clock::now();
-        const cl::Event done =
-            entry == Entry::cones ? march_cones(band, band.rows, "marching cones") : launch(band, band.rows, "drawing");
-        timings.ran(seconds_since(start), device_seconds(done));
+        if (launched_.empty()) start_ = Clock::now();
+        entry == Entry::cones ? march_cones(band, band.rows) : draw(band, band.rows);
     }
 
     bool marching(const Band&) override { return false; }
 
+    // Waits for all kernels of the band at once, because a wait takes about as long as a small kernel.
     void read_back(const Band& band, Image& image) override
     {
+        wait_for(launched_, "drawing");
+        timings.ran(seconds_since(start_), device_seconds(launched_));
+        launched_.clear();
         const Clock::time_point start = Clock::now();
         if (bytes_alone_) {
             const std::size_t row = 3 * static_cast<std::size_t>(width_);
@@ -120,8 +124,8 @@ private:
         add_cone_work(work, spent);
     }
 
-    // Launches the kernel of cones and waits for its end. A work item marches the cones of one vector.
-    cl::Event march_cones(const Band& band, int rows_covered, const char* doing)
+    // Launches the kernel of cones. A work item marches the cones of one vector.
+    void march_cones(const Band& band, int rows_covered)
     {
         const auto lanes = static_cast<std::size_t>(lanes_);
         cones_.setArg(0, constants_);
@@ -133,11 +137,11 @@ private:
         // On a CPU, a core takes one group after another.
         const std::size_t group = session_.is_cpu ? 1 : 64;
         const std::size_t groups = (cones_in(rows_covered) + lanes * group - 1) / (lanes * group);
-        return launched(cones_, cl::NDRange(groups * group), cl::NDRange(group), doing);
+        launch(cones_, cl::NDRange(groups * group), cl::NDRange(group));
     }
 
-    // Launches the kernel of pixels and waits for its end.
-    cl::Event launch(const Band& band, int rows_covered, const char* doing)
+    // Launches the kernel of pixels.
+    void draw(const Band& band, int rows_covered)
     {
         // With vectors, a work item renders a strip of cells (strip.cl). On a CPU each work group has one such item,
         // because a core takes one group after another. Without vectors, a work group renders a square of
@@ -171,18 +175,14 @@ private:
         kernel_.setArg(12, band.lattice.before);
         kernel_.setArg(13, band.lattice.apart);
         // With vectors, draw_band() permutes the rows of work groups, whose number must be a power of two.
-        return launched(kernel_, cl::NDRange(all_columns, lanes_ > 1 ? std::bit_ceil(all_lines) : all_lines),
-                        cl::NDRange(static_cast<std::size_t>(group_width), static_cast<std::size_t>(group_height)),
-                        doing);
+        launch(kernel_, cl::NDRange(all_columns, lanes_ > 1 ? std::bit_ceil(all_lines) : all_lines),
+               cl::NDRange(static_cast<std::size_t>(group_width), static_cast<std::size_t>(group_height)));
     }
 
-    cl::Event launched(const cl::Kernel& kernel, const cl::NDRange& all, const cl::NDRange& group, const char* doing)
+    void launch(const cl::Kernel& kernel, const cl::NDRange& all, const cl::NDRange& group)
     {
-        cl::Event done;
-        session_.queue.enqueueNDRangeKernel(kernel, cl::NullRange, all, group, nullptr, &done);
+        session_.queue.enqueueNDRangeKernel(kernel, cl::NullRange, all, group, nullptr, &launched_.emplace_back());
         session_.queue.flush();
-        wait_for(done, doing);
-        return done;
     }
 
     // Returns the width of a strip in cells. While the last rays of a strip march, most lanes are idle, which costs
@@ -213,6 +213,8 @@ private:
     }
 
     Session& session_;
+    std::vector<cl::Event> launched_;  // the kernels of the band, for which nothing has waited yet
+    Clock::time_point start_;          // of their launch
     cl::Kernel kernel_;
     cl::Kernel cones_;
     int lanes_;

@@ -13,6 +13,7 @@
 #include <optional>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "backends/opencl/device.h"
 #include "core/text/environment.h"
@@ -89,22 +90,26 @@ struct Session {
 // none.
 const std::string_view* program_text(std::string_view fractal);
 
-// Returns the run time of a kernel in seconds, by the device's clock; nullopt if the device has no clock.
-inline std::optional<double> device_seconds(const cl::Event& done)
+// Returns the sum of the run times of kernels in seconds, by the device's clock; nullopt if the device has no clock.
+inline std::optional<double> device_seconds(const std::vector<cl::Event>& kernels)
 {
-    cl_ulong begin = 0;
-    cl_ulong end = 0;
-    // Uses the C function, which does not throw, because a missing clock is not an error.
-    const auto ask = [&](cl_profiling_info when, cl_ulong& time) {
-        return clGetEventProfilingInfo(done(), when, sizeof(time), &time, nullptr) == CL_SUCCESS;
-    };
-    if (!ask(CL_PROFILING_COMMAND_START, begin) || !ask(CL_PROFILING_COMMAND_END, end) || end < begin) return {};
-    return 1e-9 * static_cast<double>(end - begin);
+    double seconds = 0;
+    for (const cl::Event& done : kernels) {
+        cl_ulong begin = 0;
+        cl_ulong end = 0;
+        // Uses the C function, which does not throw, because a missing clock is not an error.
+        const auto ask = [&](cl_profiling_info when, cl_ulong& time) {
+            return clGetEventProfilingInfo(done(), when, sizeof(time), &time, nullptr) == CL_SUCCESS;
+        };
+        if (!ask(CL_PROFILING_COMMAND_START, begin) || !ask(CL_PROFILING_COMMAND_END, end) || end < begin) return {};
+        seconds += 1e-9 * static_cast<double>(end - begin);
+    }
+    return seconds;
 }
 
-// Waits for the end of an event's command. Throws DeviceHung if that takes longer than device_timeout(), cl::Error if
-// the command fails.
-inline void wait_for(const cl::Event& event, const char* doing)
+// Waits for the end of the events' commands. Throws DeviceHung if that takes longer than device_timeout(), cl::Error if
+// a command fails.
+inline void wait_for(const std::vector<cl::Event>& events, const char* doing)
 {
     struct Signal {
         std::mutex mutex;
@@ -115,14 +120,18 @@ inline void wait_for(const cl::Event& event, const char* doing)
     // A separate thread waits, because clWaitForEvents() has no time limit. Event callbacks are not used, because
     // NVIDIA's driver calls them some 15 ms late on an H100. The thread may outlive this function.
     const auto signal = std::make_shared<Signal>();
-    std::thread([waiting = cl::Event(event), signal]() mutable {
-        const cl_event waited = waiting();
-        const cl_int error = clWaitForEvents(1, &waited);
-        cl_int status = error;
-        if (error == CL_SUCCESS || error == CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST) {
-            clGetEventInfo(waited, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof(status), &status, nullptr);
+    std::thread([waiting = events, signal]() mutable {
+        std::vector<cl_event> waited;
+        for (const cl::Event& event : waiting) waited.push_back(event());
+        cl_int status = clWaitForEvents(static_cast<cl_uint>(waited.size()), waited.data());
+        if (status == CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST) {
+            for (const cl_event event : waited) {
+                cl_int of_event = CL_COMPLETE;
+                clGetEventInfo(event, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof(of_event), &of_event, nullptr);
+                status = of_event < 0 ? of_event : status;
+            }
         }
-        waiting = cl::Event();  // the driver may be gone after the signal
+        waiting.clear();  // the driver may be gone after the signal
         const std::lock_guard lock(signal->mutex);
         signal->status = status;
         signal->ended = true;

@@ -56,10 +56,6 @@ inline constexpr std::int64_t watched_loops_double = 1 << 15;
 // Number of pixels that keeps the lanes of a CPU busy.
 inline constexpr std::int64_t busy_cpu = 1 << 17;
 
-// Sides of the tiles with cones. An invocation renders one pixel and is not refilled, so neighbours do not pay.
-inline constexpr int outer_cones = subtile_side;
-inline constexpr int inner_cones = 2;
-
 // Returns the number of a band's cones of all levels.
 inline vk::DeviceSize cones_of(const Starts& starts, int width, int rows)
 {
@@ -85,7 +81,10 @@ Limits limits_of(const Scene& scene, const Kernel& kernel, const DeviceInfo& inf
                     .of_scene = loops_of(scene)};
     limits.pixels_to_fill = info.device.is_gpu ? pixels_of_gpu(info.most_invocations) : busy_cpu;
     if (cones_fit(*limits.loops)) {
-        limits.starts = starts_of(kernel, *scene.fractal, options.techniques, outer_cones, inner_cones, false);
+        // An invocation renders one pixel and is not refilled, so neighbours do not pay. On a GPU, a second level of
+        // cones would cost more DE evaluations than it saves.
+        const auto [outer, inner] = info.device.is_gpu ? std::pair(gpu_cone_side, 0) : std::pair(subtile_side, 2);
+        limits.starts = starts_of(kernel, *scene.fractal, options.techniques, outer, inner, false);
     }
     return with_band(limits, options.band);
 }
@@ -154,12 +153,11 @@ public:
 
     void read_back(const Band& band, Image& image) override
     {
-        ran(gpu_.finish("shading"));
-        const auto start = Clock::now();
         const std::size_t row = 3 * static_cast<std::size_t>(scene_.width);
         const std::size_t band_bytes = row * static_cast<std::size_t>(band.rows);
         const std::byte* bytes = fetch(bytes_alone_ ? reals_at + band_bytes : results_size(pixels_));
-        gpu_.finish("reading back");
+        ran(gpu_.finish("shading"));
+        const auto start = Clock::now();
         check(bytes);
         if (bytes_alone_) {
             std::memcpy(image.row_bytes(band.first_row), bytes + reals_at, band_bytes);
@@ -186,7 +184,11 @@ public:
     static vk::DeviceSize results_size(vk::DeviceSize pixels) { return wholes_at(pixels) + wholes_size(pixels); }
 
 private:
-    void ran(const Took& took) { timings_.ran(took.host, took.device); }
+    void ran(const Took& took)
+    {
+        timings_.ran(took.host, took.device);
+        timings_.readback += took.copies;
+    }
 
     const Buffer& results() const { return bench_.buffers[result_buffer]; }
 
@@ -242,6 +244,7 @@ private:
         const bool mirrored = results().bytes == nullptr;
         const Buffer& seen = mirrored ? bench_.buffers[mirror_buffer] : results();
         if (mirrored) {
+            gpu_.stop_clock();
             gpu_.commands().copyBuffer(*results().handle, *seen.handle, vk::BufferCopy(0, 0, size));
             gpu_.barrier();
         }

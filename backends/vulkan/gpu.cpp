@@ -12,6 +12,7 @@ namespace mandelmarch::vulkan {
 namespace {
 
 constexpr auto look_again = std::chrono::milliseconds(100);
+constexpr int timestamps = 3;
 
 }  // namespace
 
@@ -43,7 +44,7 @@ Gpu::Gpu(const vk::raii::PhysicalDevice& physical, Precision precision)
         fence_ = device_.createFence({});
         if (const std::uint32_t bits = family->timestampValidBits; bits > 0) {
             clock_mask_ = bits < 64 ? (std::uint64_t{1} << bits) - 1 : ~std::uint64_t{0};
-            clock_ = device_.createQueryPool({{}, vk::QueryType::eTimestamp, 2});
+            clock_ = device_.createQueryPool({{}, vk::QueryType::eTimestamp, timestamps});
         }
     });
 }
@@ -84,9 +85,10 @@ const vk::raii::CommandBuffer& Gpu::commands()
 {
     if (recording_) return commands_;
     recording_ = true;
+    stopped_ = false;
     commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     if (*clock_) {
-        commands_.resetQueryPool(*clock_, 0, 2);
+        commands_.resetQueryPool(*clock_, 0, timestamps);
         commands_.writeTimestamp(vk::PipelineStageFlagBits::eTopOfPipe, *clock_, 0);
     }
     return commands_;
@@ -109,24 +111,36 @@ void Gpu::discard()
     recording_ = false;
 }
 
-std::optional<double> Gpu::device_seconds() const
+void Gpu::stop_clock()
 {
-    if (!*clock_) return std::nullopt;
+    if (*clock_ && !stopped_) commands().writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *clock_, 1);
+    stopped_ = true;
+}
+
+void Gpu::read_clock(Took& took) const
+{
+    if (!*clock_) return;
     constexpr auto flags = vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait;
-    const auto notes =
-        clock_.getResults<std::uint64_t>(0, 2, 2 * sizeof(std::uint64_t), sizeof(std::uint64_t), flags).second;
-    const std::uint64_t ticks = (notes[1] - notes[0]) & clock_mask_;
-    return 1e-9 * info_.properties.limits.timestampPeriod * static_cast<double>(ticks);
+    constexpr auto size = sizeof(std::uint64_t);
+    const auto notes = clock_.getResults<std::uint64_t>(0, timestamps, timestamps * size, size, flags).second;
+    const auto seconds_from = [&](std::size_t i) {
+        const std::uint64_t ticks = (notes[i + 1] - notes[i]) & clock_mask_;
+        return 1e-9 * info_.properties.limits.timestampPeriod * static_cast<double>(ticks);
+    };
+    took.device = seconds_from(0);
+    took.copies = seconds_from(1);
+    took.host = std::max(0.0, took.host - took.copies);
 }
 
 Took Gpu::finish(const std::string& doing)
 {
     if (!recording_) return {};
+    stop_clock();
     recording_ = false;
     const auto start = Clock::now();
     Took took;
     attempt(name(), doing, [&] {
-        if (*clock_) commands_.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *clock_, 1);
+        if (*clock_) commands_.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *clock_, 2);
         commands_.end();
         device_.resetFences(*fence_);
         queue_.submit(vk::SubmitInfo({}, {}, *commands_), *fence_);
@@ -140,7 +154,7 @@ Took Gpu::finish(const std::string& doing)
                             patience_.count(), doing));
         }
         took.host = seconds_since(start);
-        took.device = device_seconds();
+        read_clock(took);
     });
     return took;
 }

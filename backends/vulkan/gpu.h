@@ -21,10 +21,11 @@ struct Buffer {
 
 enum class Place { device, host };
 
-// Durations of finished work, in seconds.
+// Durations of finished work, in seconds. A device without a clock counts copies as a part of `host`.
 struct Took {
-    double host = 0;                    // from the submission until the host detects the end
-    std::optional<double> device = {};  // by the device's clock; nullopt if it has none
+    double host = 0;                    // from the submission until the host detects the end, without `copies`
+    std::optional<double> device = {};  // until stop_clock(), by the device's clock; nullopt if it has none
+    double copies = 0;                  // from stop_clock() to the end, by the device's clock
 };
 
 class Gpu {
@@ -43,6 +44,8 @@ public:
     const vk::raii::CommandBuffer& commands();
     // Makes earlier writes of shaders and copies visible to later commands, on the device and on the host.
     void barrier();
+    // The commands recorded after this call are copies for the host.
+    void stop_clock();
     // Submits the recorded commands, if any, and waits for them. Throws Error if the device is lost. Throws DeviceHung
     // if the device does not respond in time. Its work may then still be running, so the caller must not destroy
     // anything that this work uses, nor this object, whose destructor might never return.
@@ -53,8 +56,8 @@ public:
 
 private:
     std::uint32_t memory_type(std::uint32_t allowed, Place place, const std::string& what) const;
-    // Returns the seconds between the two timestamps of the finished work; nullopt if the device has no clock.
-    std::optional<double> device_seconds() const;
+    // Adds the times between the timestamps of the finished work, if the device has a clock.
+    void read_clock(Took& took) const;
 
     const vk::raii::PhysicalDevice& physical_;
     DeviceInfo info_;
@@ -65,9 +68,10 @@ private:
     vk::raii::CommandPool pool_ = nullptr;
     vk::raii::CommandBuffer commands_ = nullptr;
     vk::raii::Fence fence_ = nullptr;
-    vk::raii::QueryPool clock_ = nullptr;  // the two timestamps, at the start and end of work; null: no clock
+    vk::raii::QueryPool clock_ = nullptr;  // timestamps: start, stop_clock(), end; null: no clock
     std::uint64_t clock_mask_ = 0;         // the valid bits of a timestamp
     bool recording_ = false;
+    bool stopped_ = false;  // stop_clock() has been called for the recorded commands
 };
 
 }  // namespace mandelmarch::vulkan

@@ -122,7 +122,6 @@ private:
             pixels, std::max<vk::DeviceSize>(1, cones_of(limits.starts, scene.width, rows_per_band(scene, limits))));
         gpu.commands().updateBuffer<KernelScene<Real>>(*session_->bench.buffers[scene_buffer].handle, 0, kernel);
         gpu.barrier();
-        gpu.finish("uploading the scene");
         timings.upload = seconds_since(upload);
 
         BandExecutor<Real> executor(gpu, session_->bench, kernel, limits.starts, pixels, bytes_alone(image, options_),

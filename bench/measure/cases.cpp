@@ -115,6 +115,7 @@ void realise(Case& one, const Options& options)
                    .chunk = setting.chunk,
                    .band = setting.band,
                    .block_size = setting.block_size,
+                   .resident_warps = setting.resident_warps,
                    .counts = false,
                    .techniques = techniques_without(setting.without)};
 }

@@ -53,7 +53,7 @@ Sample draw_sample(TimedCase& row, const Scene& scene, Image& image, Telemetry& 
         for (int frame = 0; frame < frames; ++frame) sample.add(renderer->render(scene, image).timings);
         sample.wall = seconds_since(start);
         for (double Sample::*part :
-             {&Sample::kernel, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
+             {&Sample::kernel, &Sample::trial, &Sample::host, &Sample::wall, &Sample::upload, &Sample::readback}) {
             sample.*part /= frames;
         }
     }

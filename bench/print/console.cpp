@@ -88,6 +88,7 @@ constexpr Column columns[] = {
     {">context", wide, [](const Row& row, const Figures&) { return digits(1e3 * row.context); }},
     {">build", wide, [](const Row& row, const Figures&) { return digits(1e3 * row.build); }},
     {">upload", wide, [](const Row&, const Figures& f) { return digits(1e3 * f.upload); }},
+    {">trial", wide, [](const Row&, const Figures& f) { return digits(1e3 * f.trial); }},
     {">host", wide, [](const Row&, const Figures& f) { return digits(1e3 * f.host); }},
     {">readback", wide, [](const Row&, const Figures& f) { return digits(1e3 * f.readback); }},
     {">Mpixel/s", all, [](const Row&, const Figures& f) { return digits(1e-6 * f.pixel_rate); }},

@@ -143,9 +143,10 @@ Figures figures_of(const Result& result, const Row& row)
     f.upload = median(times(row, &Sample::upload));
     f.readback = median(times(row, &Sample::readback));
     f.host = median(times(row, &Sample::host));
+    f.trial = median(times(row, &Sample::trial));
     if (row.setting.frames == 0 && f.wall.median > 0) f.unaccounted = median(unaccounted_shares(row));
     f.joules = mean_joules(row);
-    const double seconds = f.kernel.median;
+    const double seconds = f.kernel.median - f.trial;
     if (seconds > 0) {
         f.pixel_rate = static_cast<double>(row.setting.width) * row.setting.height / seconds;
         f.estimate_rate = static_cast<double>(row.work.de_calls) / seconds;

@@ -27,6 +27,7 @@ struct Sample {
     int round = 0;                                          // index within that run
     double kernel = 0, wall = 0, upload = 0, readback = 0;  // seconds, as in Timings
     double host = 0;
+    double trial = 0;
     std::optional<double> joules{};  // mean energy for a picture (bench/measure/telemetry.h); nullopt: unknown
 
     // Adds the times of a picture.
@@ -37,6 +38,7 @@ struct Sample {
         upload += t.upload;
         readback += t.readback;
         host += t.host;
+        trial += t.trial;
     }
 };
 
@@ -52,7 +54,7 @@ struct Picture {
 
 // Parameters of a configuration besides fractal, precision, mode, backend and device.
 struct Setting : Picture {
-    int threads = 0, simd_width = 0, chunk = 0, band = 0, block_size = 0;  // see RendererOptions; 0: automatic
+    int threads = 0, simd_width = 0, chunk = 0, band = 0, block_size = 0, resident_warps = 0;  // see RendererOptions; 0: automatic
     std::string without;  // disabled optimisations, as in `render --without`
     int frames = 0;       // pictures per sample, from a fresh renderer; 0: one picture, from a warm renderer
     bool operator==(const Setting&) const = default;
@@ -76,14 +78,14 @@ struct Verification {
 // Quantities shown in the tables, computed from the samples by derived() (bench/result/figures.h).
 struct Figures {
     Summary kernel, wall;                       // seconds
-    double upload = 0, readback = 0, host = 0;  // seconds, medians
+    double upload = 0, readback = 0, host = 0, trial = 0;  // seconds, medians
     // Fraction of the wall time that upload, host and readback leave unaccounted for; median over the samples. Absent
     // if a sample consists of several pictures from a fresh renderer, because its wall time then has further parts.
     std::optional<double> unaccounted;
     std::optional<double> joules;                  // energy of a picture, mean over the samples
-    double pixel_rate = 0;                         // pixels per second of kernel time
-    double estimate_rate = 0, iteration_rate = 0;  // DE evaluations and DE iterations per second of kernel time
-    std::optional<double> operation_rate;          // counted operations per second of kernel time
+    // Per second of kernel time without the trial: pixels, DE evaluations, DE iterations, counted operations.
+    double pixel_rate = 0, estimate_rate = 0, iteration_rate = 0;
+    std::optional<double> operation_rate;
     std::optional<double> peak;                    // the platform's peak in this precision, operations per second
     std::optional<double> share;                   // operation_rate / peak
     std::optional<double> bound;                   // seconds that the counted operations take at the peak

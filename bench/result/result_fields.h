@@ -54,6 +54,7 @@ inline constexpr auto fields_of<Setting> =
                 field("chunk", &Setting::chunk, "", {.about = "0: chosen by the backend."}),
                 field("band", &Setting::band, "", {.about = "0: chosen by the backend."}),
                 field("block_size", &Setting::block_size, "", {.about = "0: chosen by the backend."}),
+                field("resident_warps", &Setting::resident_warps, "", {.about = "0: chosen by the backend."}),
                 field("frames", &Setting::frames, "frames", {.about = "0: one picture from a warm renderer."})};
 
 template <>
@@ -82,6 +83,7 @@ inline constexpr auto fields_of<Sample> =
                 field("upload", &Sample::upload, "", rules::seconds),
                 field("readback", &Sample::readback, "", rules::seconds),
                 field("host", &Sample::host, "", rules::seconds),
+                field("trial", &Sample::trial, "", rules::seconds),
                 field("joules", &Sample::joules, "", rules::energy)};
 
 template <>
@@ -91,6 +93,7 @@ inline constexpr auto fields_of<Figures> = Description{
     field("wall_seconds", &Figures::wall, "wall"),
     field("upload_seconds", &Figures::upload, "upload_s"),
     field("host_seconds", &Figures::host, "host_s"),
+    field("trial_seconds", &Figures::trial, "trial_s"),
     field("readback_seconds", &Figures::readback, "readback_s"),
     field("unaccounted_share", &Figures::unaccounted, "",
           {.min = -1e30,

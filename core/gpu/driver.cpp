@@ -46,8 +46,11 @@ std::string load_functions(Driver& driver, void* library)
     load(driver.release, "cuMemFree_v2", "hipFree");
     load(driver.allocate_staging, "cuMemHostAlloc", "hipHostMalloc");
     load(driver.release_staging, "cuMemFreeHost", "hipHostFree");
+    load(driver.lock, "cuMemHostRegister_v2", "hipHostRegister");
+    load(driver.unlock, "cuMemHostUnregister", "hipHostUnregister");
     load(driver.upload, "cuMemcpyHtoD_v2", "hipMemcpyHtoD");
     load(driver.read_back, "cuMemcpyDtoH_v2", "hipMemcpyDtoH");
+    load(driver.make_stream, "cuStreamCreate", "hipStreamCreateWithFlags");
     load(driver.make_event, "cuEventCreate", "hipEventCreateWithFlags");
     load(driver.record, "cuEventRecord", "hipEventRecord");
     load(driver.wait_for_event, "cuEventSynchronize", "hipEventSynchronize");
@@ -125,7 +128,7 @@ const Driver& nvidia_driver()
                                        .api = "CUDA",
                                        .libraries = {"libcuda.so.1"},
                                        .version_units = {1000, 10},
-                                       .refusals = {222, 222},  // unsupported version of PTX
+                                       .refusals = {222, 209, 200},  // of PTX, for its version; of machine code
                                        .multiprocessors = 16,
                                        .resident_threads = 39,
                                        .watchdog = 17});
@@ -140,7 +143,7 @@ const Driver& amd_driver()
                                        .api = "HIP",
                                        .libraries = {"libamdhip64.so.7", "libamdhip64.so.6", "libamdhip64.so.5"},
                                        .version_units = {10'000'000, 100'000},
-                                       .refusals = {209, 200},  // no code for the GPU, by ROCm 6.2 and by later ones
+                                       .refusals = {209, 200, 200},  // no code for the GPU, by ROCm 6.2 and later ones
                                        .multiprocessors = 63,
                                        .resident_threads = 57,
                                        .watchdog = 18});
@@ -177,17 +180,27 @@ double seconds_on_gpu(const Driver& driver, const std::function<void()>& launch,
     return timed && driver.elapsed(&milliseconds, first, last) == 0 ? 1e-3 * milliseconds : seconds;
 }
 
-int resident_threads(const Driver& driver, int index)
+std::shared_ptr<void> locked(const Driver& driver, std::span<std::uint8_t> memory)
+{
+    void* context = nullptr;
+    if (driver.devices == 0 || driver.in_use(&context) != 0 || context == nullptr) return nullptr;
+    if (driver.lock(memory.data(), memory.size(), 0) != 0) return nullptr;
+    return {memory.data(), [&driver](void* address) { driver.unlock(address); }};
+}
+
+GpuSize size_of(const Driver& driver, int index)
 {
     int device = 0;
-    int multiprocessors = 0;
-    int threads = 0;
-    int watched = 1;
-    const auto ask = [&](int what, int& answer) { return driver.attribute(&answer, what, device) == 0; };
-    const bool known = driver.devices > 0 && driver.device(&device, index) == 0 &&
-                       ask(driver.multiprocessors, multiprocessors) && ask(driver.resident_threads, threads) &&
-                       ask(driver.watchdog, watched);
-    return known && watched == 0 ? multiprocessors * threads : 0;
+    if (driver.devices == 0 || driver.device(&device, index) != 0) return {};
+    const auto ask = [&](int what) {
+        int answer = 0;
+        return driver.attribute(&answer, what, device) == 0 ? answer : 0;
+    };
+    GpuSize size;
+    if (!driver.is_amd) size.capability = 10 * ask(75) + ask(76);
+    size.multiprocessors = ask(driver.multiprocessors);
+    if (ask(driver.watchdog) == 0) size.resident_threads = size.multiprocessors * ask(driver.resident_threads);
+    return size;
 }
 
 }  // namespace mandelmarch::job

@@ -5,7 +5,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 
 namespace mandelmarch::job {
@@ -20,7 +23,7 @@ struct Driver {
     const char* api = "";
     std::array<const char*, 3> libraries{};  // names, tried in this order; may be null
     std::array<int, 2> version_units{};      // divisors that give the version's major and minor number
-    std::array<int, 2> refusals{};           // errors of load() if the image does not suit the driver or the GPU
+    std::array<int, 3> refusals{};           // errors of load() if the image does not suit the driver or the GPU
     int multiprocessors = 0;                 // numbers of the devices' attributes: multiprocessors,
     int resident_threads = 0;                // resident threads of a multiprocessor,
     int watchdog = 0;                        // and whether a watchdog ends long kernels
@@ -48,8 +51,11 @@ struct Driver {
     int (*release)(void* address) = nullptr;
     int (*allocate_staging)(void** address, std::size_t bytes, unsigned flags) = nullptr;
     int (*release_staging)(void* address) = nullptr;
+    int (*lock)(void* address, std::size_t bytes, unsigned flags) = nullptr;
+    int (*unlock)(void* address) = nullptr;
     int (*upload)(void* to, const void* from, std::size_t bytes) = nullptr;
     int (*read_back)(void* to, const void* from, std::size_t bytes) = nullptr;
+    int (*make_stream)(void** stream, unsigned flags) = nullptr;
     int (*make_event)(void** event, unsigned flags) = nullptr;
     int (*record)(void* event, void* stream) = nullptr;
     int (*wait_for_event)(void* event) = nullptr;
@@ -78,8 +84,16 @@ std::string version_of(const Driver& driver);
 double seconds_on_gpu(const Driver& driver, const std::function<void()>& launch,
                       const std::function<void()>& wait = {});
 
-// Returns the number of threads that are resident on a GPU at once, at most. Returns 0 if the driver is missing, if the
-// number is unknown or if a watchdog ends kernels that take several seconds.
-int resident_threads(const Driver& driver, int index);
+// Locks the pages of host memory, so that the calling thread's GPU copies to it without the driver's detour through
+// locked pages of its own. Returns the lock; null if the thread uses none of its GPUs, or if the driver refuses.
+std::shared_ptr<void> locked(const Driver& driver, std::span<std::uint8_t> memory);
+
+// The size of a GPU. Members are 0 if the driver is missing or does not know them.
+struct GpuSize {
+    int capability = 0;  // compute capability of an NVIDIA GPU, times ten
+    int multiprocessors = 0;
+    int resident_threads = 0;  // of all multiprocessors at once, at most; 0, too, if a watchdog ends long kernels
+};
+GpuSize size_of(const Driver& driver, int index);
 
 }  // namespace mandelmarch::job

@@ -145,10 +145,12 @@ public:
 
     bool draws(const Scene& scene) const override { return backend_->draws(scene); }
 
+    // The device process runs the trials.
     std::unique_ptr<Renderer> do_create(const RendererOptions& options) const override
     {
         return std::make_unique<IsolatedRenderer>(host(options.device), options);
     }
+    bool runs_trials() const override { return true; }
 
     std::optional<double> multiply_add_peak(const RendererOptions& options) const override
     {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 #include <new>
+#include <utility>
 
 #include "core/isolation/shared_memory.h"
 #include "core/text/error.h"
@@ -22,7 +23,10 @@ public:
     bool respond(Packet& packet)
     {
         Deserializer request(std::move(packet.bytes));
-        if (packet.descriptor.number() >= 0) memory_ = std::make_unique<SharedMemory>(std::move(packet.descriptor));
+        if (packet.descriptor.number() >= 0) {
+            locked_ = {};
+            memory_ = std::make_unique<SharedMemory>(std::move(packet.descriptor));
+        }
         const auto kind = request.take<Request>();
         if (kind == Request::release) {
             renderers_.erase(request.take<int>());
@@ -88,6 +92,7 @@ private:
             throw Error("a device's process has no memory for its picture");
         }
         SharedImage shared(*memory_, scene.width, rows, layers, first_row);
+        lock(renderer, shared.image);
         const RenderStats report = renderer.render(scene, shared.image, [&](double share) {
             channel_.send(Serializer(Response::progress, share).bytes());
             // The only request that can arrive during a render is to cancel it.
@@ -99,6 +104,18 @@ private:
         transfer(response, report);
     }
 
+    // Locks the memory of an image's bytes, which is the same for all pictures until memory_ is replaced. The first
+    // picture goes without: locking takes longer than copying it.
+    void lock(Renderer& renderer, Image& image)
+    {
+        const bool first = !std::exchange(locked_.used, true);
+        const std::size_t bytes = image.bytes().size();
+        if (first || image.has_values() || bytes <= locked_.bytes) return;
+        locked_.lock.reset();
+        locked_.lock = renderer.lock_memory(image.bytes());
+        locked_.bytes = bytes;
+    }
+
     bool refuse(Response kind, const std::string& why) const
     {
         return channel_.send(Serializer(kind, printable(why)).bytes());
@@ -107,6 +124,11 @@ private:
     const Backend& backend_;
     const Channel& channel_;
     std::unique_ptr<SharedMemory> memory_;
+    struct {
+        bool used = false;                     // memory_ has had a picture
+        std::size_t bytes = 0;                 // of memory_, from its beginning
+        std::shared_ptr<void> lock = nullptr;  // null: there is none
+    } locked_;
     std::map<int, std::unique_ptr<Renderer>> renderers_;
 };
 

@@ -14,7 +14,6 @@
 #include "core/kernel/hull.h"
 // Some fractals define these macros (docs/add-a-fractal.md).
 #undef MM_WIDE_REGISTERS_AVX3
-#undef MM_REFILL_LANES
 #undef MM_HULL_SPAN
 #undef MM_SIZE
 #undef MM_NO_GRADIENT

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <new>
 
+#include "core/gpu/driver.h"
 #include "core/models/executor.h"
 #include "core/render/peak.h"
 #include "core/render/spacing.h"
@@ -40,9 +42,11 @@ public:
         try {
             const Selection selection = model_->select(options_);
             memory_.reset();
+            beside_.clear();
         } catch (const Error&) {
             // A lost device has lost its memory, so the buffers are not freed.
             static_cast<void>(memory_.release());
+            for (auto& memory : beside_) static_cast<void>(memory.release());
         }
     }
     JobRenderer(const JobRenderer&) = delete;
@@ -50,13 +54,28 @@ public:
 
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
-        return options_.precision == Precision::f32 ? render_as<float>(scene, image, progress)
-                                                    : render_as<double>(scene, image, progress);
+        return options_.precision == Precision::f32 ? render_as<float>({}, scene, image, progress)
+                                                    : render_as<double>({}, scene, image, progress);
+    }
+
+    // On a GPU, the small pictures occupy few of the multiprocessors. On the host, they would delay the picture.
+    std::optional<RenderStats> render_beside(std::span<SmallPicture> small, const Scene& scene, Image& image,
+                                             const Progress& progress) override
+    {
+        if (!opened_.device.is_gpu || !model_->kernels().take_job) return std::nullopt;
+        return options_.precision == Precision::f32 ? render_as<float>(small, scene, image, progress)
+                                                    : render_as<double>(small, scene, image, progress);
+    }
+
+    std::shared_ptr<void> lock_memory(std::span<std::uint8_t> memory) override
+    {
+        const Selection selection = model_->select(options_);
+        return model_->lock_memory(memory);
     }
 
 private:
     template <class Real>
-    RenderStats render_as(const Scene& scene, Image& image, const Progress& progress)
+    RenderStats render_as(std::span<SmallPicture> small, const Scene& scene, Image& image, const Progress& progress)
     {
         RenderStats report{.backend = std::string(model_->name()),
                            .device = opened_.device,
@@ -80,11 +99,23 @@ private:
                 limits.pixels_per_band = limits.pixels_to_fill = std::min(limits.pixels_per_band, fixed_band);
             }
             std::optional<BandExecutor<Real>> executor;
+            std::deque<BandExecutor<Real>> others;
             timed(report.timings.upload, [&] {
                 executor.emplace(*model_, opened_, *memory_, launch, scene, options_, limits,
                                  bytes_alone(image, options_), report.timings);
+                std::vector<BandExecutor<Real>*> beside;
+                for (const SmallPicture& one : small) {
+                    while (beside_.size() <= others.size()) beside_.push_back(std::make_unique<Memory>(*model_));
+                    const std::int64_t pixels = one.image.pixels();
+                    const Limits whole{.pixels_per_band = pixels, .starts = starts_for(one.scene)};
+                    beside.push_back(&others.emplace_back(*model_, opened_, *beside_[others.size()], launch, one.scene,
+                                                          options_, whole, true, report.timings));
+                    beside.back()->prepare({0, one.scene.height});
+                }
+                executor->render_beside(std::move(beside));
             });
             run_schedule(scene, options_.mode, limits, *executor, image, progress);
+            for (std::size_t i = 0; i < small.size(); ++i) others[i].read_back({0, small[i].scene.height}, small[i].image);
             report.work = executor->work();
         });
         report.timings.context = context_;
@@ -144,6 +175,7 @@ private:
     double context_;  // seconds
     std::map<DrawKernel*, std::vector<KernelResources>> built_;
     std::unique_ptr<Memory> memory_;
+    std::vector<std::unique_ptr<Memory>> beside_;  // of small pictures that are rendered beside another one
     bool on_device_ = false;  // the buffers are in a device's own memory, not the host's
 };
 
@@ -230,6 +262,10 @@ void Model::upload(void* to, const void* from, std::size_t bytes) const { std::m
 void Model::read_back(void* to, const void* from, std::size_t bytes) const { std::memcpy(to, from, bytes); }
 void* Model::allocate_staging(std::size_t bytes) const { return ::operator new(bytes, alignment, std::nothrow); }
 void Model::release_staging(void* address) const { ::operator delete(address, alignment); }
+std::shared_ptr<void> Model::lock_memory(std::span<std::uint8_t> memory) const
+{
+    return locked(nvidia_driver(), memory);
+}
 
 double Model::seconds_of(const std::function<void()>& launch) const
 {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -123,34 +122,45 @@ public:
         job_.wholes = static_cast<int*>(memory.wholes.of_size(most * whole_planes * sizeof(int)));
         job_.bytes = bytes_alone ? static_cast<unsigned char*>(memory.bytes.of_size(3 * most)) : nullptr;
         fit_starts(scene, limits);
-        job_on_device_ = memory.job.of_size(sizeof(job_));
+        on_device_ = static_cast<OnDevice*>(memory.job.of_size(sizeof(OnDevice)));
+        job_.taken = &on_device_->taken;
+        warps_ = options.resident_warps > 0 ? options.resident_warps : opened.resident_warps;
     }
+
+    // Prepares a whole picture, which another executor then renders by render_beside().
+    void prepare(const Band& band)
+    {
+        if (job_.cone_side > 0) task_.tiles = tiles_of(job_.scene.width, band.rows, job_.cone_side);
+        fill(band);
+    }
+
+    // Renders the pictures that the others have prepared, at the same time as this executor's first band.
+    void render_beside(std::vector<BandExecutor*> others) { beside_ = std::move(others); }
 
     // The renderer's Limits have no limit of loop iterations, so the entry is Entry::cones or Entry::draw.
     void run(Entry entry, const Band& band, int) override
     {
-        const int width = job_.scene.width;
         if (entry == Entry::cones) {
-            cones_ = {.tiles = tiles_of(width, band.rows,
-                                        band.cones.side)};  // launched together with the pixels of the first lattice
+            // They are marched together with the pixels of the first lattice.
+            task_.tiles = tiles_of(job_.scene.width, band.rows, band.cones.side);
             return;
         }
-        const Launch cones = std::exchange(cones_, {});
-        const Launch pixels{
-            .cells = tiles_of(width, band.rows, cell_side(band.lattice)), .width = width, .rows = band.rows};
-        job_.first_row = band.first_row;
-        job_.rows = band.rows;
-        job_.lattice = band.lattice;
-        job_.threads = opened_.resident_threads > 0 ? opened_.resident_threads : std::numeric_limits<int>::max();
-        timed(timings_.upload, [&] { model_.upload(job_on_device_, &job_, sizeof(job_)); });
+        fill(band);
+        std::vector<BandExecutor*> all = std::exchange(beside_, {});
+        all.push_back(this);
+        std::vector<Task> tasks(all.size());
+        const std::scoped_lock turn(*opened_.turn);
+        timed(timings_.upload, [&] {
+            for (std::size_t i = 0; i < all.size(); ++i) tasks[i].job = all[i]->uploaded();
+            if (model_.kernels().take_job) launch_(tasks);
+        });
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i]->task_.job = tasks[i].job;
+            tasks[i] = std::exchange(all[i]->task_, {});
+        }
         double by_device = 0;
         double by_host = 0;
-        timed(by_host, [&] {
-            by_device = model_.seconds_of([&] {
-                if (cones.tiles > 0) launch_(job_on_device_, cones);
-                launch_(job_on_device_, pixels);
-            });
-        });
+        timed(by_host, [&] { by_device = model_.seconds_of([&] { launch_(tasks); }); });
         timings_.ran(by_host, by_device);
     }
 
@@ -182,6 +192,37 @@ public:
     const Work& work() const { return work_; }
 
 private:
+    // The count of taken pixels, and the job unless Kernels::take_job. They are in different cache lines, because the
+    // count's changes would delay reading the job.
+    struct OnDevice {
+        int taken = 0;
+        KernelArguments<KernelScene<Real>, Real> job;
+    };
+
+    // Sets the job and the task to the pixels of a band.
+    void fill(const Band& band)
+    {
+        const int width = job_.scene.width;
+        const int most = blocks_of(width, band.rows) * block_threads;
+        const int held = opened_.multiprocessors * warps_ * warp_threads;
+        task_.cells = tiles_of(width, band.rows, cell_side(band.lattice));
+        task_.threads = held > 0 ? std::min(held, most) : most;
+        job_.first_row = band.first_row;
+        job_.rows = band.rows;
+        job_.lattice = band.lattice;
+        // Large chunks keep the lanes of a warp busy; small ones share the pixels evenly among the warps.
+        job_.chunk = warp_threads * std::clamp(most / task_.threads / 12, 1, 4);
+    }
+
+    // Returns the address of the job for the kernels; uploads the job, unless they take it from the host.
+    const void* uploaded()
+    {
+        if (model_.kernels().take_job) return &job_;
+        const OnDevice uploaded{.taken = 0, .job = job_};
+        model_.upload(on_device_, &uploaded, sizeof uploaded);
+        return &on_device_->job;
+    }
+
     // Allocates the buffers of cones and lattices.
     void fit_starts(const Scene& scene, const Limits& limits)
     {
@@ -230,9 +271,11 @@ private:
     Memory& memory_;
     Timings& timings_;
     DrawKernel* launch_;
-    Launch cones_;  // cones that are not launched yet
+    Task task_;                           // what is not launched yet
+    std::vector<BandExecutor*> beside_;  // their pictures are rendered together with the next band
     KernelArguments<KernelScene<Real>, Real> job_{};
-    void* job_on_device_ = nullptr;
+    OnDevice* on_device_ = nullptr;
+    int warps_ = 0;  // of a multiprocessor, see Task::threads
     Work work_;
 };
 

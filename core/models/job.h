@@ -3,19 +3,20 @@
 // rows.
 #pragma once
 
+#include <span>
+
 #include "core/render/lattice.h"
 
 namespace mandelmarch::job {
 
 // Arguments of a launch, called a job. A job renders the pixels of a lattice in rows [first_row, first_row + rows) of
-// the picture, or marches the cones of these rows. The job and its buffers are in device memory; the planes have the
-// layout of planes_of() in core/image/image.h. Scene is the kernel's type.
+// the picture, or marches the cones of these rows. Its buffers are in device memory, and the job, too, unless the
+// kernels take it by value; the planes have the layout of planes_of() in core/image/image.h. Scene is the kernel's
+// type.
 template <class Scene, class Real>
 struct KernelArguments {
-    // Number of pixels that threads have taken, with refill. No other member is changed by kernels. It must be the
-    // first one: cmake/nvptx_as.in uses the job's address for it.
-    mutable int taken;
-    alignas(64) Scene scene;  // in another cache line than `taken`, whose changes would delay reading it
+    int* taken;  // number of pixels that threads have taken from the queue; the first member (take_job)
+    alignas(64) Scene scene;
     Real* reals;
     int* wholes;
     unsigned char* bytes;  // three per pixel; nullptr: the planes are needed, not the bytes
@@ -27,25 +28,32 @@ struct KernelArguments {
     Lattice lattice;       // on GPUs always {0, 1}
     int first_row;
     int rows;
-    int threads;  // number of threads that march, with refill (threads.h)
+    int chunk;  // pixels that a warp takes at once, with threads.h
 };
 
-// The size of a job.
-struct Launch {
-    int tiles = 0;  // cones to march; 0: the job renders pixels
-    int cells = 0;  // cells of the lattice (core/render/lattice.h)
-    int width = 0;  // pixels
-    int rows = 0;
+// What a device does for a job: it takes the job if all sizes are 0, or marches its cones and renders its pixels.
+struct Task {
+    const void* job = nullptr;  // KernelArguments: on the host if Kernels::take_job, otherwise on the device
+    int tiles = 0;              // with cones to march
+    int cells = 0;              // of the lattice (core/render/lattice.h)
+    int threads = 0;            // of a GPU that render at once
 };
 
-// Marches the cones of a job or renders its pixels. `job` is the address of its KernelArguments on the device.
-using DrawKernel = void(const void* job, const Launch& launch);
+// Does the tasks of up to most_jobs jobs at the same time; the last job may be larger than the others.
+using DrawKernel = void(std::span<const Task> tasks);
+inline constexpr int most_jobs = 3;
 
 // Runs the chains of core/kernel/peak.h on `threads` threads. `sums` is device memory for one number per thread.
 using Chains = void(void* sums, int threads, double a, double b, int rounds);
 
 // Threads per GPU thread block.
 inline constexpr int block_threads = 128;
+// Warps of a GPU's multiprocessor that render at once, by default. With fewer, latencies are not hidden; with more, the
+// last rays of a picture share their multiprocessors with others, and take longer. NVIDIA's GPUs of a compute capability
+// below 7.0 have longer latencies, and render with as many warps as they can hold.
+inline constexpr int resident_warps = 16;
+inline constexpr int resident_warps_before_70 = 64;
+inline constexpr int warp_threads = 32;
 // The 32 threads of a warp render a rectangle of pixels of this size, so that their rays stay close together.
 inline constexpr int warp_width = 8;
 inline constexpr int warp_height = 4;

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,11 +28,14 @@ struct OpenedDevice {
     int threads = 1;
     std::string instruction_set = "scalar";
     std::int64_t pixels_per_band = 1 << 18;
-    int resident_threads = 0;  // threads of a GPU that are resident at once, at most; 0: unknown
-    // True for loops on a CPU that use cells.h, false for threads of a GPU that use threads.h.
+    int multiprocessors = 0;             // of a GPU
+    int resident_warps = job::resident_warps;  // of a multiprocessor, that render at once
+    // True for loops on a CPU that use cells.h, false for threads of a GPU that use threads.h or warps.h.
     bool in_cells = false;
     int peak_threads = 1 << 7;  // threads that measure the multiply-add peak; a multiple of block_threads
     std::string note = {};      // warning that is printed when a renderer uses this device; may be empty
+    // Locked while a job's kernels run: they may have one job and one queue for each device.
+    std::shared_ptr<std::mutex> turn = std::make_shared<std::mutex>();
 };
 
 // Functions that find kernels by name and return nullptr for an unknown name. cmake/Models.cmake generates both, in
@@ -38,6 +43,8 @@ struct OpenedDevice {
 struct Kernels {
     DrawKernel* (*drawing)(std::string_view variant);  // by variant_name()
     Chains* (*chains)(std::string_view precision);     // by name_of()
+    // Drawing kernels take jobs from the host, and can render several at the same time.
+    bool take_job = false;
 };
 
 // A programming model. The functions below select() are called while a selection lives.
@@ -67,7 +74,7 @@ public:
     // device's clock if it has one.
     virtual double seconds_of(const std::function<void()>& launch) const;
 
-    // Loads or compiles the kernels of a launch on the calling thread's device. Called before their first launch.
+    // Loads or compiles drawing kernels on the calling thread's device. Called before their first launch.
     // Timings::build includes its duration. Returns the resources of the kernels; empty if the driver does not report
     // them.
     virtual std::vector<KernelResources> build(DrawKernel*) const { return {}; }
@@ -85,6 +92,9 @@ public:
     // exhausted.
     virtual void* allocate_staging(std::size_t bytes) const;
     virtual void release_staging(void* address) const;
+    // Like Renderer::lock_memory(). By default NVIDIA's driver locks it, if the calling thread uses one of its GPUs:
+    // then a run-time library that uses this driver copies at full speed, too.
+    virtual std::shared_ptr<void> lock_memory(std::span<std::uint8_t> memory) const;
 };
 
 // Returns a backend that uses the model, and owns it.

@@ -1,85 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that the threads of a GPU call for a job: march_tile() for each tile, if rays begin at the ends of
-// cones; then march_pixel(), shade_pixel() and bytes_of_pixel() for each pixel, one after the other. See
-// core/models/pixels.h.
-#include "core/models/pixels.h"
+// What the warps of a GPU do for a job, in models without operations on the lanes of a warp. If rays begin at the ends of
+// cones, warps march the cones. Then they render pixels until the job's queue is empty (persistent threads: Aila and Laine,
+// "Understanding the efficiency of ray traversal on GPUs", HPG 2009). A warp takes a chunk of pixels, marches their rays with
+// refill, and shades their hits. So all lanes have work while it marches, and again while it shades.
+#include "core/models/lanes.h"
 
-// Returns the scene, loaded from memory again.
-FN Scene scene_of(const KernelArguments* job)
-{
-    MM_ANEW(job);
-    return fixed_scene(job);
-}
-
-// Returns the scene for marching. In exact mode, marching does not depend on `differences`, so `differences` is made a
-// constant.
-FN Scene march_scene_of(const KernelArguments* job)
-{
-    Scene scene = scene_of(job);
-    if (canonical == 0) scene.differences = differences;
-    return scene;
-}
-
-// Marches the cone of the tile with the thread's index, if there is one.
-FN void march_tile(const KernelArguments* job, int thread)
-{
-    if (thread >= tile_columns(job) * tiles_in(job, job->rows)) return;
-    Ray cone = begun_cone(job, scene_of(job), thread);
-    while (cone_goes(cone)) {
-        const scalar width = cone_width(march_scene_of(job), real(job->cone_side));
-        cone = advanced_cone(march_scene_of(job), cone, width, probe(march_scene_of(job), cone, true), true);
-    }
-    put_cone(job, scene_of(job), thread, cone);
-}
-
-// The pixel of a GPU thread.
-struct Place {
-    bool inside;  // the pixel is in the job
-    int x;
-    int y;       // row, counted from the job's first row
-    int at;      // index in a plane
-    int pixels;  // number of pixels of a plane
-};
-
-FN Place place_of(const KernelArguments* job, int thread)
-{
-    constexpr int warp_width = mandelmarch::job::warp_width;
-    constexpr int warp_height = mandelmarch::job::warp_height;
-    MM_ANEW(job);
-    MM_ANEW(thread);
-    const int width = job->scene.width;
-    const int columns = (width + warp_width - 1) / warp_width;
-    const int warp = thread / (warp_width * warp_height);
-    const int lane = thread % (warp_width * warp_height);
-    Place place;
-    place.x = warp % columns * warp_width + lane % warp_width;
-    place.y = warp / columns * warp_height + lane / warp_width;
-    place.inside = place.x < width && place.y < job->rows;
-    place.at = place.y * width + place.x;
-    place.pixels = width * job->rows;
-    return place;
-}
-
-// Begins the ray of a place, without the start of its tile.
-FN Ray begun(const KernelArguments* job, Place place)
-{
-    const real* column = job->camera + place.x;
-    const real* row = job->camera + (2 * job->scene.width + job->first_row + place.y);
-    const Complex a = complex_number(column[0], column[job->scene.width]);
-    const Complex b = complex_number(row[0], row[job->scene.height]);
-    const vec3 direction = along_axes(scene_of(job), a, b);
-    return begin_along(scene_of(job), direction);
-}
-
-// Begins the ray of a place at the end of its tile's cone.
-FN Ray begun_by_cone(const KernelArguments* job, Place place)
-{
-    Ray ray = begun(job, place);
-    ray.t = larger(tile_start(job, place.x, place.y), ray.t);
-    return ray;
-}
-
-// Stores a stopped ray in its pixel's planes, for shade_pixel().
+// Stores a stopped ray in its pixel's planes, for shade_chunk().
 FN void put_ray(const KernelArguments* job, Place place, Ray ray)
 {
     // The first plane holds the value that the hit is computed from: t in exact mode, before_distance in fast mode, for
@@ -93,127 +19,82 @@ FN void put_ray(const KernelArguments* job, Place place, Ray ray)
     job->wholes[place.at + 2 * place.pixels] = ray.iterations;
 }
 
-#ifdef MM_REFILL_LANES
-// Increments a number in memory as an atomic operation, and returns the number before.
-#ifndef MM_TAKE
-#define MM_TAKE(number) __atomic_fetch_add(&(number), 1, __ATOMIC_RELAXED)
-#endif
-
-// Number of steps between two refills. All lanes of a warp wait while some of them are refilled.
-constexpr int steps_of_round = 4;
-
-// Returns the number of thread indices that cover the job, in rectangles of one warp as in blocks_of() in
-// core/models/job.h.
-FN int places_of(const KernelArguments* job)
+// Marches the cones of the tiles thread, thread + threads, ...
+FN void march_tiles(const KernelArguments* job, int thread, int threads)
 {
-    constexpr int warp_width = mandelmarch::job::warp_width;
-    constexpr int warp_height = mandelmarch::job::warp_height;
-    MM_ANEW(job);
-    const int columns = (job->scene.width + warp_width - 1) / warp_width;
-    const int lines = (job->rows + warp_height - 1) / warp_height;
-    return columns * lines * (warp_width * warp_height);
+    for (int tile = thread; tile < tile_columns(job) * tiles_in(job, job->rows); tile += threads) march_tile(job, tile);
 }
 
-// Takes the next index of the job's queue whose pixel is in the job. Returns places_of() or more if there is none.
-FN int taken_place(const KernelArguments* job)
+// Takes the next chunk of a queue of which `taken` have been taken. Returns the index of its first pixel; places_of() or more
+// if there is none.
+FN int taken_chunk(const KernelArguments* job, int* taken)
+{
+    // An empty queue keeps its number, so that warps may ask it in any number of launches.
+    if (job->chunk * __atomic_load_n(taken, __ATOMIC_RELAXED) >= places_of(job)) return places_of(job);
+    return job->chunk * __atomic_fetch_add(taken, 1, __ATOMIC_RELAXED);
+}
+
+FN int end_of_chunk(const KernelArguments* job, int first)
+{
+    const int end = first + job->chunk;
+    return end < places_of(job) ? end : places_of(job);
+}
+
+// Takes the next pixel of a chunk of which `marched` have been taken. Returns `end` or more if there is none.
+FN int taken_of_chunk(const KernelArguments* job, int first, int end, int* marched)
 {
     int at = 0;
-    do at = MM_TAKE(job->taken);
-    while (at < places_of(job) && !place_of(job, at).inside);
+    do at = first + __atomic_fetch_add(marched, 1, __ATOMIC_RELAXED);
+    while (at < end && !place_of(job, at).inside);
     return at;
 }
 
-// Marches rays until the job's queue of pixels is empty, with refill: when a ray has stopped, the thread takes the
-// next pixel from the queue and begins its ray. This method is called persistent threads (Aila and Laine,
-// "Understanding the efficiency of ray traversal on GPUs", HPG 2009). The compilers of NVIDIA's and AMD's GPUs make one
-// atomic operation of those of a warp's lanes. The launch has more threads than the device holds at once; the others do
-// nothing.
-FN void march_pixel(const KernelArguments* job, int thread)
+// Marches rays of a chunk until none is left, as the other lanes do at the same time. `marched`: 0 before the first lane
+// begins. Stores the stopped rays in the planes.
+FN void march_chunk(const KernelArguments* job, int first, int* marched)
 {
-    if (thread >= job->threads) return;
-    int at = taken_place(job);
-    if (at >= places_of(job)) return;
+    const int end = end_of_chunk(job, first);
+    int at = taken_of_chunk(job, first, end, marched);
+    if (at >= end) return;
     Ray ray = begun_by_cone(job, place_of(job, at));
-    while (at < places_of(job)) {
+    while (at < end) {
         for (int i = 0; i < steps_of_round && marching(march_scene_of(job), ray); ++i) {
             ray = march(march_scene_of(job), ray, 1);
         }
         if (!marching(march_scene_of(job), ray)) {
             put_ray(job, place_of(job, at), ray);
-            at = taken_place(job);
-            if (at < places_of(job)) ray = begun_by_cone(job, place_of(job, at));
+            at = taken_of_chunk(job, first, end, marched);
+            if (at < end) ray = begun_by_cone(job, place_of(job, at));
         }
     }
 }
-#else
-// Marches the thread's ray until it stops.
-FN void march_pixel(const KernelArguments* job, int thread)
-{
-    const Place place = place_of(job, thread);
-    if (!place.inside) return;
-    Ray ray = begun_by_cone(job, place);
-    while (marching(march_scene_of(job), ray)) ray = march(march_scene_of(job), ray, 1);
-    put_ray(job, place_of(job, thread), ray);
-}
-#endif
 
-// Returns the pixel of a hit. The stages are those of shade() in core/kernel/shade.h, but each loads the scene again,
-// so that a number of the look is in a register only where it is used. The structs are not const: g++ 12 would keep
-// const ones in the GPU's memory.
-FN Pixel shaded(const KernelArguments* job, Hit hit)
+// Shades the pixels of a chunk that are one lane's, after all lanes have ended march_chunk(). Sets `marched` to 0.
+FN void shade_chunk(const KernelArguments* job, int first, int* marched, int lane)
 {
-    ShadingPoint at = shading_point(scene_of(job), hit);
-    Normal normal = normal_at(scene_of(job), at.p, at.t, true);
-    vec3 n = facing(scene_of(job), hit.direction, normal.direction, at.t);
-    Pixel pixel;
-    pixel.depth = at.t;
-    pixel.steps = hit.steps;
-    pixel.de_calls = hit.de_calls + normal.de_calls;
-    pixel.iterations = hit.iterations + normal.iterations;
-    if (has_look(scene_of(job)) != 0) {
-        Occlusion found = occlusion(scene_of(job), at.p, n, at.t, true);
-        Lighting there = lighting(scene_of(job), hit.direction, n, at.t, found);
-        pixel.colour = look_shown(scene_of(job), there, orbit_trap(scene_of(job), at.p, true));
-        pixel.de_calls = pixel.de_calls + found.de_calls + 1;  // the orbit trap counts as one more evaluation
-        pixel.iterations = pixel.iterations + found.iterations;
-    } else {
-        pixel.colour = lit(scene_of(job), hit.direction, n);
+    if (lane == 0) *marched = 0;
+    for (int at = first + lane; at < end_of_chunk(job, first); at += mandelmarch::job::warp_threads) {
+        Place place = place_of(job, at);
+        if (!place.inside) continue;
+        Ray ray = begun(job, place);
+        if (canonical != 0) ray.before_distance = job->reals[place.at];
+        if (canonical == 0) ray.t = job->reals[place.at];
+        ray.last_t = job->reals[place.at + place.pixels];
+        ray.last_distance = job->reals[place.at + 2 * place.pixels];
+        ray.before_t = job->reals[place.at + 3 * place.pixels];
+        ray.steps = job->wholes[place.at];
+        ray.de_calls = job->wholes[place.at + place.pixels];
+        ray.iterations = job->wholes[place.at + 2 * place.pixels];
+        Hit hit = stopped(scene_of(job), ray);
+        if (canonical != 0) hit = refine(scene_of(job), hit);
+        Pixel pixel;
+        if (is_hit(hit)) {
+            pixel = shaded(job, hit);
+        } else {
+            pixel = missed(scene_of(job), hit);
+        }
+        put(job, place_of(job, at).at, pixel);
     }
-    return pixel;
-}
-
-FN void shade_pixel(const KernelArguments* job, int thread)
-{
-    Place place = place_of(job, thread);
-    if (!place.inside) return;
-    Ray ray = begun(job, place);
-    if (canonical != 0) ray.before_distance = job->reals[place.at];
-    if (canonical == 0) ray.t = job->reals[place.at];
-    ray.last_t = job->reals[place.at + place.pixels];
-    ray.last_distance = job->reals[place.at + 2 * place.pixels];
-    ray.before_t = job->reals[place.at + 3 * place.pixels];
-    ray.steps = job->wholes[place.at];
-    ray.de_calls = job->wholes[place.at + place.pixels];
-    ray.iterations = job->wholes[place.at + 2 * place.pixels];
-    Hit hit = stopped(scene_of(job), ray);
-    if (canonical != 0) hit = refine(scene_of(job), hit);
-    Pixel pixel;
-    if (is_hit(hit)) {
-        pixel = shaded(job, hit);
-    } else {
-        pixel = missed(scene_of(job), hit);
-    }
-    place = place_of(job, thread);
-    put_pixel(job, place.at, place.pixels, pixel);
-}
-
-// Converts a pixel in the planes to bytes, if the job needs bytes. This is a separate pass, because the conversion
-// would increase the registers of shading.
-FN void bytes_of_pixel(const KernelArguments* job, int at)
-{
-    const int pixels = job->scene.width * job->rows;
-    if (job->bytes == nullptr || at >= pixels) return;
-    put_bytes(job, at, job->reals[at], job->reals[at + pixels], job->reals[at + 2 * pixels]);
 }
 
 #include "core/kernel/prelude/undefine.h"

@@ -82,6 +82,7 @@ Timings& operator+=(Timings& to, const Timings& from)
     to.build += from.build;
     to.upload += from.upload;
     to.kernel += from.kernel;
+    to.trial += from.trial;
     to.host += from.host;
     to.readback += from.readback;
     to.wall += from.wall;

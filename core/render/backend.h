@@ -69,7 +69,8 @@ struct RendererOptions {
     int simd_width = 0;  // pixels computed at once on a core; 0: the backend's choice
     int chunk = 0;       // tiles that a host thread takes at a time, only for openmp; 0: the backend's choice
     int band = 0;        // max pixels per pass of a device; 0: the backend's choice
-    int block_size = 0;  // threads per GPU thread block or work items per work group, a multiple of 32; 0: default
+    int block_size = 0;  // work items per work group, a multiple of 32; 0: default
+    int resident_warps = 0;  // warps of a GPU's multiprocessor that render at once; 0: the backend's choice
     bool counts = true;  // false: RenderStats::work is not needed; openmp then renders fast pictures faster
     Techniques techniques = {};
 };
@@ -81,6 +82,7 @@ struct Timings {
     double build = 0;     // preparing the kernel, in the first picture of a fractal; 0 in later pictures
     double upload = 0;    // allocating device memory and copying the scene to it; 0 on the host
     double kernel = 0;    // kernels, by the device's clock; the same as `host` on the host or without such a clock
+    double trial = 0;     // the part of `kernel` before the picture's own kernels, in which a trial was rendered
     double host = 0;      // launching kernels and waiting for them
     double readback = 0;  // from the last kernel until the picture is in host memory: copying, converting, counting
     double wall = 0;      // the whole call of render()
@@ -165,11 +167,29 @@ class Renderer {
 public:
     virtual ~Renderer() = default;
 
+    // A small picture of bytes, of a trial.
+    struct SmallPicture {
+        Scene scene;
+        Image image;
+    };
+
     // Renders `scene` into `image` and overwrites all of it. The image must have the scene's width, and all rows of the
     // scene or only some of them, beginning with Image::first_row(). In exact mode, rows do not depend on which others
     // are rendered; for fast mode see core/render/region.h. May be called repeatedly. Throws Unavailable if the scene's
     // fractal is not supported, Error if the device fails, and Cancelled.
     virtual RenderStats render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
+
+    // Like render(), but renders up to two small pictures at the same time. Renders nothing and returns nothing if this would
+    // take longer than the picture alone.
+    virtual std::optional<RenderStats> render_beside(std::span<SmallPicture>, const Scene&, Image&, const Progress&)
+    {
+        return std::nullopt;
+    }
+
+    // Locks the memory of the bytes of many pictures, so that the device copies to it at full speed. Returns the lock,
+    // which must be destroyed before the memory is freed, in the same thread; null if there is none, which costs time
+    // only.
+    virtual std::shared_ptr<void> lock_memory(std::span<std::uint8_t>) { return nullptr; }
 };
 
 // The role of a backend. Programs that need a certain backend select it by its role.
@@ -202,6 +222,7 @@ struct BackendInfo {
     bool chunk = false;
     bool band = false;
     bool block_size = false;
+    bool resident_warps = false;
     bool concurrent = false;  // renderers with one thread each can render at the same time, on threads of the caller
     // Its pictures are bytes alone, the same in each precision and mode, and it has no techniques.
     bool foreign = false;
@@ -266,8 +287,9 @@ public:
     }
 
 private:
-    // Like create(), but without a trial.
+    // Like create(), but without a trial, unless runs_trials().
     virtual std::unique_ptr<Renderer> do_create(const RendererOptions& options) const = 0;
+    virtual bool runs_trials() const { return false; }
 };
 
 }  // namespace mandelmarch

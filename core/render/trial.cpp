@@ -21,6 +21,25 @@ double share_off(const Image& a, const Image& b)
     return static_cast<double>(c.visibly_differing) / static_cast<double>(c.pixels);
 }
 
+Scene with(Scene scene, double step_factor)
+{
+    scene.limits.step_factor = step_factor;
+    return scene;
+}
+
+Renderer::SmallPicture small_picture(const Scene& scene, double step_factor)
+{
+    const Scene small = with(trial_scene(scene), step_factor);
+    return {small, Image(small.width, small.height, Image::Layers::bytes)};
+}
+
+// Returns the first of the shorter step factors that is shorter than this one; this one if there is none.
+double next_shorter(double step_factor)
+{
+    const auto* next = std::ranges::find_if(shorter_step_factors, [&](double f) { return f < step_factor; });
+    return next == shorter_step_factors.end() ? step_factor : *next;
+}
+
 class TrialRenderer : public Renderer {
 public:
     explicit TrialRenderer(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
@@ -28,19 +47,37 @@ public:
     RenderStats render(const Scene& scene, Image& image, const Progress& progress) override
     {
         if (scene.limits.tried) return renderer_->render(scene, image, progress);
+        const double usual = stepping_of(scene, Mode::fast).step_factor;
+        // The pictures that a trial compares first.
+        std::vector<SmallPicture> first;
+        for (const double step_factor : {usual, next_shorter(usual)}) first.push_back(small_picture(scene, step_factor));
+        std::optional<RenderStats> report = renderer_->render_beside(first, with(scene, usual), image, progress);
         // A small picture is a sign of life and can be cancelled, but is no fraction of the picture.
         const Progress of_trial = progress ? Progress([&](double) { progress(0); }) : Progress();
         Timings spent;
-        const Trial trial = try_steps(scene, [&](const Scene& small, Image& picture) {
-            spent += renderer_->render(small, picture, of_trial).timings;
+        const Trial trial = try_steps(scene, [&](SmallPicture& wanted) {
+            for (SmallPicture& known : first) {
+                if (!report || known.scene.limits.step_factor != wanted.scene.limits.step_factor) continue;
+                wanted.image = std::move(known.image);
+                return;
+            }
+            spent += renderer_->render(wanted.scene, wanted.image, of_trial).timings;
         });
-        Scene tried = scene;
-        tried.limits.step_factor = trial.step_factor;
-        RenderStats report = renderer_->render(tried, image, progress);
-        report.timings += spent;
-        report.step_factor = trial.step_factor;
-        report.unsettled = trial.settled() ? 0 : trial.off;
-        return report;
+        if (report && trial.step_factor != usual) {
+            spent += report->timings;
+            report.reset();
+        }
+        if (!report) report = renderer_->render(with(scene, trial.step_factor), image, progress);
+        spent.trial = spent.kernel;
+        report->timings += spent;
+        report->step_factor = trial.step_factor;
+        report->unsettled = trial.settled() ? 0 : trial.off;
+        return *report;
+    }
+
+    std::shared_ptr<void> lock_memory(std::span<std::uint8_t> memory) override
+    {
+        return renderer_->lock_memory(memory);
     }
 
 private:
@@ -67,21 +104,19 @@ Scene trial_scene(const Scene& scene)
     return small;
 }
 
-Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw)
+Trial try_steps(const Scene& scene, const std::function<void(Renderer::SmallPicture&)>& draw)
 {
-    Scene small = trial_scene(scene);
     const auto drawn = [&](double step_factor) {
-        small.limits.step_factor = step_factor;
-        Image image(small.width, small.height, Image::Layers::bytes);
-        draw(small, image);
-        return image;
+        Renderer::SmallPicture small = small_picture(scene, step_factor);
+        draw(small);
+        return std::move(small.image);
     };
     const double usual = stepping_of(scene, Mode::fast).step_factor;
     Trial trial{usual};
     double last_off = 1;
     Image picture = drawn(usual);
-    for (const double next : shorter_step_factors) {
-        if (next >= usual) continue;
+    while (next_shorter(trial.step_factor) < trial.step_factor) {
+        const double next = next_shorter(trial.step_factor);
         Image again = drawn(next);
         trial.off = share_off(picture, again);
         if (trial.settled()) return trial;
@@ -103,13 +138,15 @@ Trial try_steps(const Scene& scene, const Backend& backend, RendererOptions opti
 {
     options.techniques.trial = false;
     const auto renderer = backend.create(options);
-    return try_steps(scene, [&](const Scene& small, Image& picture) { renderer->render(small, picture); });
+    return try_steps(scene, [&](Renderer::SmallPicture& small) { renderer->render(small.scene, small.image); });
 }
 
 std::unique_ptr<Renderer> Backend::create(const RendererOptions& options) const
 {
     const BackendInfo properties = info();
-    if (!is_tried(options) || properties.role == Role::reference || properties.replays) return do_create(options);
+    if (!is_tried(options) || properties.role == Role::reference || properties.replays || runs_trials()) {
+        return do_create(options);
+    }
     RendererOptions untried = options;
     untried.techniques.trial = false;
     return std::make_unique<TrialRenderer>(do_create(untried));

@@ -27,7 +27,7 @@ Scene trial_scene(const Scene& scene);
 // 1. If few pixels differ, the longer steps are used.
 // 2. If more differ, the shorter steps become the longer ones of the next comparison.
 // 3. If the number of differing pixels does not decrease, the precision is the cause, and the usual factor is used.
-Trial try_steps(const Scene& scene, const std::function<void(const Scene&, Image&)>& draw);
+Trial try_steps(const Scene& scene, const std::function<void(Renderer::SmallPicture&)>& draw);
 
 // Returns true if a picture with these options is preceded by a trial.
 bool is_tried(const RendererOptions& options);

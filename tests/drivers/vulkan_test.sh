@@ -17,6 +17,12 @@ test_features() {
         for fault in no_double double_division discrete_gpu; do same $fault --precision float; done
     done
     same discrete_gpu
+    # A GPU has other cones than a CPU in fast mode, with which it draws nearly the same picture.
+    fractal=bulb size=320x200 both discrete_gpu --mode fast --precision float
+    other_picture expected.exr picture.exr
+    [ "$(sed -n 's/.* \([0-9]*\) by more than .*/\1/p' difference)" -le 320 ] || fail "$(cat difference)"
+    # Eight submissions draw a picture: a probe, three pipelines, and four parts of the work.
+    same lost:8
     # If the device's float divisions are a unit off in the last place, the kernel corrects them.
     fractal=bulb refused 77 'division and square root are not exact' float_division --precision float
     for fault in none: float_units:,.float.quotients.corrected; do

@@ -16,25 +16,18 @@ from ptx_to_c import KERNEL, PEAK, kernels  # noqa: E402
 # For each GPU: its architecture, and the end of the path in build/venv of its assembler, which tools/gpu_packages.txt
 # installs. ptxas 11 is the last one that supports sm_35; ptxas 13 matches NVIDIA's driver 580.
 GPUS = {"K40": ("sm_35", "cuda_nvcc/bin/ptxas"), "H100": ("sm_90", "cu13/bin/ptxas")}
-# Allowed registers per thread, by GPU, kind of kernel and precision. With this many registers, a multiprocessor of the
-# K40 can hold 9 (march, float), 5 (march, double), 6 (cones and shade, float), 3 (cones and shade, double) or 16 (bytes)
-# blocks of 128 threads at once. A multiprocessor of the H100 can hold 7, 5, 5, 3 or 16.
-MOST_REGISTERS = {
-    "K40": {("cones", "float"): 80, ("cones", "double"): 144,
-            ("march", "float"): 56, ("march", "double"): 96, ("shade", "float"): 80, ("shade", "double"): 144,
-            ("bytes", "float"): 32, ("bytes", "double"): 32},
-    "H100": {("cones", "float"): 80, ("cones", "double"): 144,
-             ("march", "float"): 72, ("march", "double"): 96, ("shade", "float"): 96, ("shade", "double"): 160,
-             ("bytes", "float"): 32, ("bytes", "double"): 32},
-}
+# Allowed registers per thread, by precision. With this many registers, a multiprocessor of the K40 can hold 6 (float) or 3
+# (double) blocks of 128 threads at once, and one of the H100 5 or 3.
+MOST_REGISTERS = {"K40": {"float": 80, "double": 160}, "H100": {"float": 96, "double": 160}}
 
 # A floating-point instruction: its name with all suffixes.
 OPERATION = re.compile(r"(?<![\w.%$])([a-z]\w*(?:\.\w+)*\.f(?:32|64)(?:\.\w+)*)(?=\s)")
 ARITHMETIC = {"add", "sub", "mul", "div", "sqrt", "rcp", "fma"}
 EXACT_BY_NATURE = {"mov", "ld", "st", "setp", "selp", "neg", "abs", "cvt"}
-# Operations that only the kernels of fast mode in float have, and those that these kernels must not have.
-QUICK = {"sqrt.approx.ftz.f32", "rcp.approx.ftz.f32", "max.f32", "min.f32"}
-SLOW = {"sqrt.rn.f32", "rcp.rn.f32"}
+# Operations that only the kernels of fast mode have, and those that these kernels must not have.
+QUICK = {"lg2.approx.ftz.f32", "sqrt.approx.ftz.f32", "rsqrt.approx.ftz.f32", "rcp.approx.ftz.f32", "max.f32", "min.f32",
+         "rsqrt.approx.ftz.f64", "rcp.approx.ftz.f64", "testp.normal.f64"}
+SLOW = {"sqrt.rn.f32", "rcp.rn.f32", "sqrt.rn.f64", "rcp.rn.f64"}
 
 
 class Unavailable(Exception):
@@ -73,13 +66,12 @@ def operation_faults(name, body, precision, mode):
     for operation in sorted(set(OPERATION.findall(body))):
         word = operation.split(".")[0]
         suffixes = operation.split(".")[1:]
-        if (precision, mode) == ("float", "fast"):
-            if operation in QUICK:
-                continue
-            if operation in SLOW:
-                yield f"{name}: {operation}: not an approximation, in fast mode and float"
         if precision == "float" and "f64" in suffixes:
             yield f"{name}: {operation}: double in a float kernel"
+        if mode == "fast" and operation in QUICK:
+            continue
+        if mode == "fast" and operation in SLOW:
+            yield f"{name}: {operation}: not an approximation, in fast mode"
         if "ftz" in suffixes or "approx" in suffixes or word not in ARITHMETIC | EXACT_BY_NATURE:
             yield f"{name}: {operation}: not an operation that IEEE 754 rounds"
         if word in ARITHMETIC and "rn" not in suffixes:
@@ -93,13 +85,11 @@ def faults(ptx, fractals):
     found = [f".target {target}" for target in re.findall(r"^\.target (\S+)", ptx, re.M) if target != "sm_35"]
     if re.search(r"^\.(visible )?func ", ptx, re.M):
         found.append("a function that is called instead of inlined")
-    wanted = {(kind, fractal, precision, mode) for kind in ("cones", "march", "shade", "bytes") for fractal in fractals
+    wanted = {(kind, fractal, precision, mode) for kind in ("cones", "draw") for fractal in fractals
               for precision in ("float", "double") for mode in ("exact", "fast") if (kind, mode) != ("cones", "exact")}
     for entry in ptx_to_c.ENTRY.finditer(ptx):
         if ".maxntid 128, 1, 1" not in entry[0]:
             found.append(f"{entry[1]}: does not say how many threads its blocks have")
-        if re.match(r"shade_|march_\w+_double_fast", entry[1]) and ".minnctapersm" not in entry[0]:
-            found.append(f"{entry[1]}: does not say how many blocks a multiprocessor shall hold")
     fused = 0
     for name, body in kernels(ptx):
         match = KERNEL.match(name)
@@ -115,8 +105,6 @@ def faults(ptx, fractals):
         # Searches the whole body, not only the instructions that OPERATION matches, so that none is missed.
         if match[3] == "float" and ".f64" in body:
             found.append(f"{name}: .f64 in a float kernel")
-        if match[4] == "fast" and "atom.add" in body and not re.search(r"ld\.global\.nc\.u64 (%\w+).*\n\s*atom\.add\.u32 %\w+,\s*\[\1\]", body):
-            found.append(f"{name}: the compiler does not see that a warp's atomic additions have one address")
         if ".local" in body:
             found.append(f"{name}: variables in local memory")
     found += ["no kernel " + "_".join(missing) for missing in sorted(wanted)]
@@ -135,26 +123,22 @@ def changed(ptx, kernel, old, new):
 
 def check_text(ptx, fractals):
     found = faults(ptx, fractals)
-    march = f"march_{fractals[0]}"
+    draw = f"draw_{fractals[0]}"
     mutants = {
-        "fused": changed(ptx, f"{march}_double_exact", r"mul\.rn\.f64 (%r\d+),(%r\d+),(\S+);", r"fma.rn.f64 \1,\2,\3,\2;"),
-        "double in a float": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.f64"),
-        "a double's register": changed(ptx, f"{march}_float_exact", r"\.reg \.f32 (%r\d+);", r".reg .f64 \1;"),
-        "without .rn": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "mul.f32"),
-        "behind a predicate": changed(ptx, f"{march}_float_exact", r"mul\.rn\.f32", "@ ! %r1 mul.f32"),
-        "approximate": changed(ptx, f"{march}_float_exact", r"sqrt\.rn\.f32", "sqrt.approx.ftz.f32"),
-        "approximate double": changed(ptx, f"{march}_double_fast", r"sqrt\.rn\.f64", "sqrt.approx.ftz.f64"),
-        "not approximate": changed(ptx, f"{march}_float_fast", r"sqrt\.approx\.ftz\.f32", "sqrt.rn.f32"),
-        "max": changed(ptx, f"{march}_float_exact", r"selp\.f32 (%r\d+),([^,]+),([^,]+),%r\d+;", r"max.f32 \1,\2,\3;"),
-        "flushing": changed(ptx, f"{march}_float_fast", r"add\.rn\.f32", "add.rn.ftz.f32"),
+        "fused": changed(ptx, f"{draw}_double_exact", r"mul\.rn\.f64 (%r\d+),(%r\d+),(\S+);", r"fma.rn.f64 \1,\2,\3,\2;"),
+        "double in a float": changed(ptx, f"{draw}_float_fast", r"add\.rn\.f32", "add.rn.f64"),
+        "a double's register": changed(ptx, f"{draw}_float_exact", r"\.reg \.f32 (%r\d+);", r".reg .f64 \1;"),
+        "without .rn": changed(ptx, f"{draw}_float_exact", r"mul\.rn\.f32", "mul.f32"),
+        "behind a predicate": changed(ptx, f"{draw}_float_exact", r"mul\.rn\.f32", "@ ! %r1 mul.f32"),
+        "approximate": changed(ptx, f"{draw}_float_exact", r"sqrt\.rn\.f32", "sqrt.approx.ftz.f32"),
+        "approximate double": changed(ptx, f"{draw}_double_exact", r"sqrt\.rn\.f64", "rsqrt.approx.ftz.f64"),
+        "not approximate": changed(ptx, f"{draw}_float_fast", r"sqrt\.approx\.ftz\.f32", "sqrt.rn.f32"),
+        "max": changed(ptx, f"{draw}_float_exact", r"selp\.f32 (%r\d+),([^,]+),([^,]+),%r\d+;", r"max.f32 \1,\2,\3;"),
+        "flushing": changed(ptx, f"{draw}_float_fast", r"add\.rn\.f32", "add.rn.ftz.f32"),
         "another target": ptx.replace(".target sm_35", ".target sm_70"),
         "blocks of an unknown size": re.sub(r"\.maxntid 128, 1, 1\n", "", ptx, count=1),
-        "any number of blocks": re.sub(r"\.minnctapersm 3\n", "", ptx, count=1),
-        "any number of marching blocks": re.sub(r"(\.entry march_.*?)\.minnctapersm 5\n", r"\1", ptx, count=1, flags=re.S),
-        "a kernel less": ptx.replace(f".entry {march}_float_fast", f".entry {march}_float_quick"),
+        "a kernel less": ptx.replace(f".entry {draw}_float_fast", f".entry {draw}_float_quick"),
     }
-    if "atom.add" in ptx:  # a fractal refills
-        mutants["an addition for each thread"] = re.sub(r"(ld\.global)\.nc(\.u64.*\n\s*atom)", r"\1\2", ptx)
     for name, mutant in mutants.items():
         if not faults(mutant, fractals):
             found.append(f"the mutant '{name}' was not detected")
@@ -171,16 +155,15 @@ def check_assembled(ptx, fractals):
     for gpu in GPUS:
         results = resources(ptx, gpu)
         found += [f"{gpu}: {fault}" for fault in spills(results)]
-        if len(results) != 14 * len(fractals) + 2:
+        if len(results) != 6 * len(fractals) + 2:
             found.append(f"{gpu}: {len(results)} kernels assembled, the two of the peak included")
         for name, (registers, _, _) in results.items():
             if PEAK.match(name + "$_omp_fn$0"):
                 continue
-            kind, _, precision, _ = re.match(KERNEL, name + "$_omp_fn$0").groups()
-            most = MOST_REGISTERS[gpu][kind, precision]
+            most = MOST_REGISTERS[gpu][re.match(KERNEL, name + "$_omp_fn$0")[3]]
             if registers > most:
                 found.append(f"{gpu}: {name}: {registers} registers, {most} expected at most")
-    if not spills(resources(re.sub(r"\.minnctapersm \d+", ".minnctapersm 16", ptx), "K40")):
+    if not spills(resources(ptx.replace(".maxntid 128, 1, 1", ".maxntid 128, 1, 1\n.minnctapersm 16"), "K40")):
         found.append("the negative control with 32 registers spills nothing")
     return found
 

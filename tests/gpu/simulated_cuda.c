@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replaces NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it; with
 // SIMULATED_AMD and options that rename the functions, AMD's (libamdhip64). The GPUs are simulated: they run the
-// kernels of kernels.h, which ptx_to_c.py translates from PTX, one thread after the other. Device memory is host
-// memory. Environment variables describe the GPUs:
+// kernels of kernels.h, which ptx_to_c.py translates from PTX, one warp after the other. Device memory is host memory. Environment variables describe the GPUs:
 //   SIMULATED_GPUS        number of GPUs (default 1)
 //   SIMULATED_CAPABILITY  compute capability (default 35)
 //   SIMULATED_MEMORY      free bytes (default 1 GiB)
 //   SIMULATED_CLOCK       0: no events for timing
-//   SIMULATED_BLOCKS      1: blocks may have other sizes than 128 threads
 //   SIMULATED_WATCHED     1: a watchdog ends long kernels
+//   SIMULATED_LOCKS       a file; each time that memory is locked or unlocked, a line is added
 //   SIMULATED_REGISTERS   registers per thread of each kernel (default 100)
 //   SIMULATED_FAULT       launch, lost or timeout: the first kernel fails in this way; link: gcc's kernels do not link;
-//                         version: the image does not suit the driver or the GPU
+//                         version: the image does not suit the driver or the GPU; lock: no memory is locked
 #define _GNU_SOURCE
 #include "kernels.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <ucontext.h>
 
 enum {
     SUCCESS = 0,
@@ -179,7 +179,17 @@ int cuModuleLoadData(void** module, const void* image)
     return has_fault("version") ? REFUSED : image ? SUCCESS : NOT_FOUND;
 }
 int cuModuleUnload(void* module) { return (void)module, SUCCESS; }
-int cuModuleGetGlobal_v2(void) { return NOT_FOUND; }
+int cuModuleGetGlobal_v2(uint64_t* address, size_t* bytes, void* module, const char* name)
+{
+    (void)module;
+    for (int i = 0; variables[i].name; ++i) {
+        if (strcmp(variables[i].name, name) != 0) continue;
+        if (address) *address = (uint64_t)variables[i].at;
+        if (bytes) *bytes = variables[i].bytes;
+        return SUCCESS;
+    }
+    return NOT_FOUND;
+}
 int cuModuleGetFunction(void** function, void* module, const char* name)
 {
     (void)module;
@@ -224,6 +234,7 @@ static int block_of(uint64_t address)
 int cuMemFree_v2(uint64_t address)
 {
     const int at = block_of(address);
+    if (address == 0) return SUCCESS;  // after a kernel without arguments, gcc's library frees null
     if (at < 0) return NOT_FOUND;
     taken -= blocks[at].bytes;
     blocks[at] = blocks[--block_count];
@@ -234,6 +245,12 @@ int cuMemGetAddressRange_v2(uint64_t* begin, size_t* bytes, uint64_t address)
 {
     const int at = block_of(address);
     if (in_callback) return NOT_PERMITTED;
+    for (int i = 0; at < 0 && variables[i].name; ++i) {
+        if (address - (uint64_t)variables[i].at >= variables[i].bytes) continue;
+        *begin = (uint64_t)variables[i].at;
+        *bytes = variables[i].bytes;
+        return SUCCESS;
+    }
     if (at < 0) return NOT_FOUND;
     if (begin) *begin = blocks[at].address;
     if (bytes) *bytes = blocks[at].bytes;
@@ -242,6 +259,20 @@ int cuMemGetAddressRange_v2(uint64_t* begin, size_t* bytes, uint64_t address)
 int cuMemAllocHost_v2(void** address, size_t bytes) { return *address = malloc(bytes), SUCCESS; }
 int cuMemHostAlloc(void** address, size_t bytes) { return cuMemAllocHost_v2(address, bytes); }
 int cuMemFreeHost(void* address) { return free(address), SUCCESS; }
+static int count_lock(const char* what)
+{
+    const char* path = getenv("SIMULATED_LOCKS");
+    FILE* file = path ? fopen(path, "a") : NULL;
+    if (file) fprintf(file, "%s\n", what), fclose(file);
+    return SUCCESS;
+}
+int cuMemHostRegister_v2(void* address, size_t bytes, unsigned flags)
+{
+    if (has_fault("lock") || flags) return NOT_SUPPORTED;
+    ((volatile char*)address)[bytes - 1] = 0;
+    return count_lock("locked");
+}
+int cuMemHostUnregister(volatile char* address) { return *address = 0, count_lock("unlocked"); }
 int cuMemHostGetDevicePointer_v2(void) { return NOT_SUPPORTED; }
 int cuMemcpy2D_v2(void) { return NOT_SUPPORTED; }
 int cuMemcpy2DUnaligned_v2(void) { return NOT_SUPPORTED; }
@@ -258,24 +289,81 @@ int cuMemcpyDtoHAsync(void* to, uint64_t from, size_t bytes) { return cuMemcpy((
 int cuMemcpyDtoDAsync_v2(uint64_t to, uint64_t from, size_t bytes) { return cuMemcpy(to, from, bytes); }
 int cuMemcpyDtoDAsync(uint64_t to, uint64_t from, size_t bytes) { return cuMemcpy(to, from, bytes); }
 
+// The warp that runs. Each lane has a stack of its own and runs until the warp's next common operation. It leaves its
+// value there, and goes on when all lanes have left theirs. Values alternate between two arrays, because a lane may leave
+// its next value before another one has read this one.
+enum { LANES = 32, STACK = 1 << 20 };
+static struct {
+    void (*run)(uint64_t, uint32_t, uint32_t, uint32_t, uint32_t);
+    uint64_t argument;
+    unsigned first_thread, block_x, block, blocks;
+    ucontext_t back, of[LANES];
+    bool ended[LANES];
+    uint32_t values[2][LANES];
+    int turn[LANES];
+    int lane;  // that runs
+} warp;
+static const uint32_t* values_of_lanes(uint32_t value)
+{
+    const int lane = warp.lane;
+    uint32_t* values = warp.values[warp.turn[lane] ^= 1];
+    values[lane] = value;
+    swapcontext(&warp.of[lane], &warp.back);
+    return values;
+}
+static uint32_t of_lane(uint32_t value, uint32_t lane) { return values_of_lanes(value)[lane % LANES]; }
+static uint32_t ballot(bool on)
+{
+    const uint32_t* values = values_of_lanes(on);
+    uint32_t lanes = 0;
+    for (int i = 0; i < LANES; ++i) lanes |= values[i] << i;
+    return lanes;
+}
+static void run_lane(void)
+{
+    const unsigned thread = warp.first_thread + (unsigned)warp.lane;
+    thread_of_launch = (int)(warp.block * threads_of_block + thread);
+    warp.run(warp.argument, thread % warp.block_x, thread / warp.block_x, warp.block, warp.blocks);
+    warp.ended[warp.lane] = true;
+}
+static void run_warp(void)
+{
+    static char* stacks;
+    if (!stacks) stacks = malloc(LANES * STACK);
+    for (int i = 0; i < LANES; ++i) {
+        getcontext(&warp.of[i]);
+        warp.of[i].uc_stack.ss_sp = stacks + i * STACK;
+        warp.of[i].uc_stack.ss_size = STACK;
+        warp.of[i].uc_link = &warp.back;
+        makecontext(&warp.of[i], run_lane, 0);
+        warp.ended[i] = false;
+    }
+    for (bool running = true; running;) {
+        running = false;
+        for (warp.lane = 0; warp.lane < LANES; ++warp.lane) {
+            if (warp.ended[warp.lane]) continue;
+            swapcontext(&warp.back, &warp.of[warp.lane]);
+            running = true;
+        }
+    }
+}
 int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned grid_z, unsigned block_x,
                    unsigned block_y, unsigned block_z, unsigned shared, void* stream, void** arguments, void** extra)
 {
     (void)shared, (void)stream, (void)extra;
-    const int fits = number("SIMULATED_BLOCKS", 0) ? block_x % 32 == 0 && block_x <= 1024 : block_x == 128;
-    if (grid_y * grid_z * block_y * block_z != 1 || !fits || block_x * number_of_registers() > 65536)
-        return OUT_OF_RESOURCES;
-    threads_of_block = block_x;
+    const unsigned threads = block_x * block_y;
+    if (grid_y * grid_z * block_z != 1 || threads != 128 || threads * number_of_registers() > 65536) return OUT_OF_RESOURCES;
     if (has_fault("launch")) return OUT_OF_RESOURCES;
     if (has_fault("timeout")) return pending = LAUNCH_TIMEOUT, SUCCESS;
     if (has_fault("lost")) return pending = DEVICE_LOST, SUCCESS;
-    void (*run)(uint64_t, uint32_t, uint32_t, uint32_t) = (void (*)(uint64_t, uint32_t, uint32_t, uint32_t))function;
     ++seconds;
-    for (unsigned block = 0; block < grid_x; ++block) {
-        for (unsigned thread = 0; thread < block_x; ++thread) {
-            thread_of_launch = (int)(block * block_x + thread);
-            run(*(uint64_t*)arguments[0], thread, block, grid_x);
-        }
+    threads_of_block = threads;
+    warp.run = (void (*)(uint64_t, uint32_t, uint32_t, uint32_t, uint32_t))function;
+    warp.argument = (uint64_t)arguments[0];
+    warp.block_x = block_x;
+    warp.blocks = grid_x;
+    for (warp.block = 0; warp.block < grid_x; ++warp.block) {
+        for (warp.first_thread = 0; warp.first_thread < threads; warp.first_thread += LANES) run_warp();
     }
     return SUCCESS;
 }

@@ -29,7 +29,7 @@ pattern=${2#regex:}
 options=" $* "
 most=${options##* -c }
 printf '"ID","Kernel Name","gpu__time_duration.sum","last"\n"","","ns",""\n'
-printf 'mandelmarch_cuda_%s_mandelbulb_float_fast\n' cones march shade bytes | grep -E "$pattern" | head -n "${most%% *}" |
+printf 'mandelmarch_cuda_%s_mandelbulb_float_fast\n' cones draw | grep -E "$pattern" | head -n "${most%% *}" |
     awk '{ printf "\"%d\",\"%s\",\"1,%d00\",\"\"\n", NR - 1, $1, NR }'
 END
     chmod +x smi/ncu
@@ -38,19 +38,17 @@ END
 
     # Runs the steps that gpu_check runs without --hour, but with the longer time limits of --hour, because this machine
     # may be busy. Two faults are simulated: gcc's kernels do not link, and ffmpeg hangs.
-    quarter="facts cuda openacc opencl vulkan peak t-cuda t-openacc t-opencl t-vulkan ablation ncu-cuda ncu-openacc abl-64 floor blocks 4k 8k random film"
+    quarter="facts cuda openacc opencl vulkan abl-cuda abl-openacc peak t-cuda t-openacc t-opencl t-vulkan warps-cuda warps-openacc ncu-cuda ncu-openacc abl-64 floor unlocked 4k 8k random film"
     PATH=$PWD/smi:$PATH SIMULATED_FAULT=link MANDELMARCH_FFMPEG=$PWD/hanging SECONDS_OF_film=10 check --hour bin out-all $quarter
     [ $? = 1 ] || fail "with a broken backend the exit code is not 1: $(cat out)"
-    for step in facts cuda opencl vulkan peak t-cuda t-opencl t-vulkan ablation ncu-cuda abl-64 floor 4k 8k random; do
+    for step in facts cuda opencl vulkan abl-cuda peak t-cuda t-opencl t-vulkan warps-cuda ncu-cuda abl-64 floor unlocked 4k 8k random; do
         grep -qE "^$step +passed" out-all/summary.txt || fail "$step: $(grep "^$step " out-all/summary.txt) $(results out-all $step.log | tail -5)"
     done
-    # Blocks that are larger than the kernels' bounds do not launch.
-    grep -qE '^blocks +failed ' out-all/summary.txt || fail "block sizes: $(cat out)"
     [ "$(results out-all rocm-smi.txt)" = "Card series: simulated" ] || fail "what rocm-smi says is not recorded"
     grep -qE '^cuda +passed .*same bits in 6 pictures$' out-all/summary.txt || fail "cuda's bits: $(cat out)"
     grep -qE '^ncu-cuda +passed .* 8 tables of counters$' out-all/summary.txt || fail "what ncu counted: $(cat out)"
-    results out-all ncu-cuda-bulb-float-march.csv >log
-    [ "$(grep -c mandelmarch_ log)" = 1 ] && grep -q cuda_march_ log || fail "ncu counts another kernel than the marching one: $(cat log)"
+    results out-all ncu-cuda-bulb-float-draw.csv >log
+    [ "$(grep -c mandelmarch_ log)" = 1 ] && grep -q cuda_draw_ log || fail "ncu counts another kernel than the drawing one: $(cat log)"
     results out-all t-cuda.json | "$python" -c '
 import json, sys
 data = json.load(sys.stdin)
@@ -67,7 +65,7 @@ sys.exit(data["runs"] != 2 or samples != {8} or not data["peaks"])' || fail "the
     # tools/gpu_results.py makes a page from the results. tests/tools/gpu_results_test.py tests other archives.
     "$python" -B "$source/tools/gpu_results.py" out-all/results.tgz read >page || fail "the reader: $(cat page)"
     in=$(echo read/rehearsal-*)
-    for words in '^- Same bits as the host: cuda, opencl, vulkan\.$' '^- openacc: .*last words' '^\| picture \| cuda \|.* vulkan \|$' '^\| mandelbulb float fast \| [0-9]' \
+    for words in '^- Same bits as the host: cuda, opencl, vulkan\.$' '^- openacc: .*last words' '^\| picture \| cuda \|.* vulkan \|$' '^\| mandelbulb float fast \| [0-9]' '^\| first picture \| [0-9]' \
         '^- Step film late' 'A rehearsal'; do
         grep -qE "$words" "$in/README.md" || fail "the page lacks '$words': $(cat "$in/README.md")"
     done

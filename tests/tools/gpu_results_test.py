@@ -12,7 +12,7 @@ from tool import ToolTest
 ROW = {"fractal": "mandelbulb", "precision": "float", "mode": "fast", "backend": "cuda", "samples": [{"kernel": 0.001}, {"kernel": 0.001}],
        "verification": {"passed": True}, "setting": {"width": 64, "height": 48}}
 GOOD = {"results/summary.txt": "cuda       passed      1 s  same bits in 6 pictures\n", "results/nvidia-smi.txt": "Product Name : NVIDIA H100\n",
-        "results/t-cuda.json": json.dumps({"rows": [ROW]}), "results/seen-cuda.json": "{}", "results/backends": "cuda"}
+        "results/t-cuda.json": json.dumps({"rows": [ROW]}), "results/seen-cuda.json": '{"seconds": {"context": 0.25, "wall": 0.5}}', "results/backends": "cuda"}
 
 
 def rows(**changes):
@@ -46,6 +46,7 @@ class GpuResultsTest(ToolTest):
         page = self.read("into/NVIDIA-H100/README.md")
         self.assertIn("| mandelbulb float fast | 1 |", page)
         self.assertIn("2 pictures of 64 x 48", page)
+        self.assertIn("| first picture | 750 |", page)
         self.assertEqual(sorted(os.listdir(self.path("into/NVIDIA-H100"))), ["README.md", "logs.tar.xz", "t-cuda.json"])
         with tarfile.open(self.path("into/NVIDIA-H100/logs.tar.xz")) as tar:
             self.assertEqual(tar.getnames(), ["README.md/x", "backends", "bits/t-x.json", "nvidia-smi.txt", "seen-cuda.json", "summary.txt"])
@@ -57,7 +58,7 @@ class GpuResultsTest(ToolTest):
                 "no time": rows(samples=[{"kernel": None}]), "a text": rows(samples=[{"kernel": "x"}]),
                 "infinite": rows(samples=[{"kernel": 1e999}]), "no setting": rows(setting=None),
                 "a list": rows(fractal=["\x1b[31m"]), "digits": {"results/t-cuda.json": '{"rows": ' + "9" * 5000 + "}"},
-                "no product name": {"results/nvidia-smi.txt": "    Product Name :\n    Brand : x\n"},
+                "no seconds": {"results/seen-cuda.json": "{}"}, "no product name": {"results/nvidia-smi.txt": "    Product Name :\n    Brand : x\n"},
                 "empty stats": {"results/nvidia-smi.txt": "", "results/seen-cuda.json": ""},
                 "other stats": {"results/nvidia-smi.txt": "", "results/seen-cuda.json": '{"device": []}'}}.items():
             self.refused(self.read_archive(GOOD | change), what)

@@ -97,10 +97,19 @@ public:
         report.device.name = scene.fractal == nullptr ? "" : "draws fractals";
         report.timings.kernel = 1.25;
         report.work.steps = 1ULL << 40;
+        report.work.de_calls = locks_;
         return report;
     }
 
+    // The lock writes to the memory when it is destroyed.
+    std::shared_ptr<void> lock_memory(std::span<std::uint8_t> memory) override
+    {
+        ++locks_;
+        return {memory.data(), [](std::uint8_t* first) { *static_cast<volatile std::uint8_t*>(first) = 0; }};
+    }
+
 private:
+    std::uint64_t locks_ = 0;
     Conduct conduct_;
     Where where_;
 };
@@ -204,6 +213,19 @@ TEST_F(Isolation, APictureThatWasNotDrawnIsBlack)
     EXPECT_TRUE(drawn(*renderer, scene));
     scene.detail = -9;
     EXPECT_FALSE(drawn(*renderer, scene));
+}
+
+// Memory is locked for its second picture, and unlocked before other memory replaces it.
+TEST_F(Isolation, MemoryIsLockedOnceForManyPictures)
+{
+    const auto renderer = made(Where::nowhere)->create({.device = draws});
+    const auto locks = [&](int side) {
+        Image picture(side, side, Image::Layers::bytes);
+        return renderer->render(scene_of(side, side), picture).work.de_calls;
+    };
+    for (const auto& [side, expected] : {std::pair(8, 0), {8, 1}, {8, 1}, {600, 1}, {600, 2}, {500, 2}}) {
+        EXPECT_EQ(locks(side), expected) << side;
+    }
 }
 
 TEST_F(Isolation, ACancelledDrawingLeavesTheProcessAsItWas)

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double device_seconds = 7;  // duration of each launch by the fake device's clock
 
-// A fake kernel. Sets every byte of the rows to 200, but the second byte to the number of threads that march, and the
+// A fake kernel. Sets every byte of the rows to 200, but the second byte to the number of warps that render, and the
 // third to the number of pixels taken, which it then changes. Does not change layers other than the bytes.
-void draw(const void* address, const job::Launch& launch)
+void draw(std::span<const job::Task> tasks)
 {
-    const auto& job = *static_cast<const job::KernelArguments<layout_f32::Scene, float>*>(address);
+    const auto& job = *static_cast<const job::KernelArguments<layout_f32::Scene, float>*>(tasks.front().job);
     if (job.bytes == nullptr) return;
-    std::fill_n(job.bytes, 3L * launch.width * launch.rows, static_cast<unsigned char>(200));
-    job.bytes[1] = static_cast<unsigned char>(std::min(job.threads, 255));
-    job.bytes[2] = static_cast<unsigned char>(job.taken++);
+    std::fill_n(job.bytes, 3L * job.scene.width * job.rows, static_cast<unsigned char>(200));
+    job.bytes[1] = static_cast<unsigned char>(tasks.front().threads / job::warp_threads);
+    job.bytes[2] = static_cast<unsigned char>((*job.taken)++);
 }
 
 // The calls that the fake model has received.
@@ -35,7 +35,7 @@ struct Calls {
 
 class Counting : public job::Model {
 public:
-    explicit Counting(Calls& calls, int threads = 0) : calls_(calls), threads_(threads) {}
+    explicit Counting(Calls& calls, int multiprocessors = 0) : calls_(calls), multiprocessors_(multiprocessors) {}
 
     std::string_view name() const override { return "counting"; }
     BackendInfo info() const override { return {}; }
@@ -43,7 +43,10 @@ public:
     {
         return {[](std::string_view) -> job::DrawKernel* { return draw; }, nullptr};
     }
-    job::OpenedDevice open(int) const override { return {.pixels_per_band = 100, .resident_threads = threads_}; }
+    job::OpenedDevice open(int) const override 
+    {
+        return {.pixels_per_band = 100, .multiprocessors = multiprocessors_, .resident_warps = 4};
+    }
     job::Selection select(const RendererOptions&) const override
     {
         ++calls_.current;
@@ -70,7 +73,7 @@ public:
 
 private:
     Calls& calls_;
-    int threads_;
+    int multiprocessors_;
 };
 
 class KernelArguments : public testing::Test {
@@ -120,14 +123,15 @@ TEST_F(KernelArguments, KernelTimeIsByTheDevicesClock)
     EXPECT_LT(timings.host, device_seconds);
 }
 
-// With refill, as many threads march as are resident at once; if their number is unknown, every thread.
-TEST_F(KernelArguments, ResidentThreadsMarch)
+// As many warps render as are resident at once, but not more than there are tiles of 8 x 4 pixels, rounded up to whole
+// blocks; if the number of multiprocessors is unknown, one for each of these tiles.
+TEST_F(KernelArguments, ResidentWarpsRender)
 {
-    for (const auto& [resident, marching] : {std::pair{96, 96}, {0, 255}}) {
-        const auto backend = job::backend_of(std::make_unique<Counting>(calls_, resident));
+    for (const auto& [multiprocessors, rendering] : {std::pair{1, 4}, {2, 8}, {1000, 12}, {0, 12}}) {
+        const auto backend = job::backend_of(std::make_unique<Counting>(calls_, multiprocessors));
         Image image(10, 20, Image::Layers::bytes);
         backend->create({.precision = Precision::f32, .counts = false})->render(official_scene("box", 10, 20), image);
-        EXPECT_EQ(image.bytes()[1], marching);
+        EXPECT_EQ(image.bytes()[1], rendering);
     }
 }
 

@@ -26,12 +26,13 @@ struct Pictures {
 
     Trial tried(const Scene& scene)
     {
-        return try_steps(scene, [&](const Scene& small, Image& image) {
-            EXPECT_LE(small.width * small.height, 1100);
-            std::ranges::fill(image.bytes(), static_cast<unsigned char>(0));
+        return try_steps(scene, [&](Renderer::SmallPicture& small) {
+            EXPECT_LE(small.scene.width * small.scene.height, 1100);
+            auto& bytes = small.image.bytes();
+            std::ranges::fill(bytes, static_cast<unsigned char>(0));
             const auto share = static_cast<std::size_t>(off.at(strides.size()));
-            strides.push_back(small.limits.step_factor);
-            std::fill_n(image.bytes().begin(), image.bytes().size() * share / 1000,
+            strides.push_back(small.scene.limits.step_factor);
+            std::fill_n(bytes.begin(), bytes.size() * share / 1000,
                         static_cast<unsigned char>(10 * strides.size()));
         });
     }

@@ -4,9 +4,6 @@
 // the sphere fold. The escape test uses the squared radius after the box fold and before the sphere fold. Lengths are
 // in units of sqrt(|s|) rFixed; in these units |s| f is 1 / r^2 in the shell between rMin and rFixed.
 
-// Refill (a lane takes a new ray when its own has ended) is useful here: rays need very different numbers of steps, but
-// neighbouring pixels need similar numbers of iterations per step, so that lanes rarely wait within a step.
-#define MM_REFILL_LANES 1
 #define MM_SIZE R(8.0)
 #define MM_HULL_SPAN cube_span
 
