@@ -109,7 +109,10 @@ void add_filming(CLI::App& app, Flythrough& options)
               "render only segments A-B (60 frames each, from 0), and do not join them into a film");
     app.add_flag("--stereo", film.picture.stereo, "side-by-side stereo, the left eye on the left");
     auto* stills = app.add_option("--stills", film.stills, "write still frames to this folder instead of a film");
-    add_choice(app, "--still-format", film.jpeg, {{"png", false}, {"jpeg", true}}, "format of stills")->needs(stills);
+    add_choice(app, "--still-format", film.picture.format,
+               {{"png", ImageFormat::png}, {"jpeg", ImageFormat::jpeg}, {"exr", ImageFormat::exr}},
+               "format of stills; exr: linear light and depth, 32 bits a value, without the films' filter")
+        ->needs(stills);
     for (CLI::Option* option :
          {app.add_option("--output", film.output, "film: .mp4, .mkv, .webm or .gif")->capture_default_str(),
           app.add_option("--summary", options.summary,
