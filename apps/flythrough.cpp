@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -164,7 +165,7 @@ Path path_of(Flythrough& options, const Backend& backend)
     if (film.stills.empty()) check_ffmpeg(container_of(film.output));
     if (options.reads_path()) {
         const Path whole = read_path(options.path);
-        Path path = whole;
+        Path path = options.rate > 0 ? at_rate(whole, std::numeric_limits<int>::max(), options.rate) : whole;
         choose_frames(path, options);
         check_pictures(film, path.frames.size(), path.frames_per_second);
         refuse_broken(whole, options);

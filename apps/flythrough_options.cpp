@@ -76,9 +76,7 @@ void add_planning(CLI::App& app, Flythrough& options)
     add_estimate_option(app, options.conservative);
     app.add_option("--frames", options.frames, "number of frames, without the title (default: 4 minutes)")
         ->check(whole(2, most_frames));
-    app.add_option("--fps", options.rate, "frames per second, recorded in the path file")
-        ->check(whole(1, most_frames_per_second))
-        ->capture_default_str();
+    options.rate = frames_per_second;
     app.add_option("--map", options.map,
                    "write the data for a drawing of the flight to this file, as JSON: free spheres and narrow passages "
                    "near the path, and for every frame the camera's position, turn and distance to the surface");
@@ -138,6 +136,12 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options)
             ->required(options.reads_path());
     }
     if (!options.reads_path()) add_planning(app, options);
+    if (options.command != Command::audit) {
+        app.add_option("--fps", options.rate,
+                       fmt::format("frames per second; the camera keeps its pace (default: {})",
+                                   options.reads_path() ? "the path file's" : "30, kept in the path file"))
+            ->check(whole(1, most_frames_per_second));
+    }
     if (options.command == Command::preview) {
         options.film.output = "preview.mp4";
         options.film.every = 8;
