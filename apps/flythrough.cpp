@@ -54,7 +54,7 @@ bool goes_to_stdout(const std::string& file)
 bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend)
 {
     tell_audit(path);
-    Audit result = audit(path, options.plan.threads, planning);
+    Audit result = audit(path, options.plan.threads);
     std::ranges::move(truth_rows(path, backend, options.film.renderer, options.film.picture),
                       std::inserter(result.rows, std::ranges::find(result.rows, false, &Row::promise)));
     const auto taken = options.written();
@@ -64,7 +64,7 @@ bool show_audit(const Flythrough& options, const Path& path, double planning, co
         print("{}", table_of(path, result));
         flush_stdout();
     }
-    if (!options.json.empty()) write_file(options.json, json_of(path, result));
+    if (!options.json.empty()) write_file(options.json, json_of(path, result, planning));
     return result.promises_kept();
 }
 

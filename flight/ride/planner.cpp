@@ -270,7 +270,7 @@ Plan plan(PlanOptions options)
         // If only views repeat, the gaze is chosen again.
         for (int gaze = 0; gaze < most_gazes && !path.frames.empty(); ++gaze) {
             budget.check();
-            const Audit result = audit(path, threads, 0, audit_stride);
+            const Audit result = audit(path, threads, audit_stride);
             say(fmt::format("tour {}{}: misses {}\n{}", number, gaze > 0 ? ", looking elsewhere" : "",
                             result.missed(false), table_of(path, result)));
             const bool mendable =

@@ -105,7 +105,7 @@ TEST(Schedule, RefusesNonsenseInOneLine)
 TEST(ChangingPlan, KeepsEveryPromiseAndItsValues)
 {
     const Path& path = planned();
-    const Audit result = audit(path, 0, 0, 5);
+    const Audit result = audit(path, 0, 5);
     EXPECT_TRUE(result.promises_kept()) << table_of(path, result);
     EXPECT_EQ(path.frames.size(), static_cast<std::size_t>(frames));
     const auto value = [&](std::size_t i) { return scene_of(path, path.frames[i], 16, 9).shape[0]; };

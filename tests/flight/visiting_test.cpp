@@ -99,7 +99,7 @@ TEST(Visits, FlightCanBeginAtAPlaceWithoutAStay)
 
 TEST(Visits, FlightKeepsEveryPromise)
 {
-    const Audit result = audit(visiting(), 0, 0, 5);
+    const Audit result = audit(visiting(), 0, 5);
     EXPECT_TRUE(result.promises_kept()) << table_of(visiting(), result);
 }
 
