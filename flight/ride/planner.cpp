@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "core/os/stopwatch.h"
 #include "core/scene/fractal.h"
@@ -57,10 +59,7 @@ public:
     const RoadmapSet& atlas() const { return atlas_; }
 
     // Finds the places in the free space. Called before attempt(). Throws InputError as visits_of() does.
-    void find_places()
-    {
-        visits_ = visits_of(places_, atlas_.stretches(frames_).front(), least_clearance * size_, frames_);
-    }
+    void find_places() { visits_ = visits_of(places_, atlas_.stretches(frames_).front(), least_clearance * size_); }
 
     // Returns a message about the place that the last tour missed; "" if it missed none.
     const std::string& missed() const { return missed_; }
@@ -238,6 +237,10 @@ Plan plan(PlanOptions options)
     if (schedule.changes() && !places.all.empty()) {
         throw InputError(fmt::format("{}: the shape changes in flight, expected a constant shape", places.file));
     }
+    if (!places.all.empty()) {
+        const DistanceField field(scene, threads, &budget);
+        check_places(places, field, least_clearance * field.bounds().size, frames);
+    }
     Planner planner(options, budget);
     say(fmt::format("{} balls, {} gates{}", planner.atlas().balls().size(), planner.atlas().gates().size(),
                     planner.atlas().shapes() > 1 ? fmt::format(" of {} shapes", planner.atlas().shapes()) : ""));
@@ -252,6 +255,8 @@ Plan plan(PlanOptions options)
     double faults = 1e300;                     // of the best flight
     std::string broken;                        // its broken promises
     std::string missed;                        // message of the tour before
+    std::vector<bool> kept;                    // the items that the tour before keeps
+    bool settled = false;  // the tour before keeps the same items, so the places decide what is missed
     int attempts = 0;
     for (int number = 0; number < most_attempts; ++number) {
         budget.check();
@@ -273,6 +278,11 @@ Plan plan(PlanOptions options)
             const Audit result = audit(path, threads, audit_stride);
             say(fmt::format("tour {}{}: misses {}\n{}", number, gaze > 0 ? ", looking elsewhere" : "",
                             result.missed(false), table_of(path, result)));
+            if (gaze == 0 && !places.all.empty()) {
+                std::vector<bool> now;
+                for (const Row& row : result.rows) now.push_back(row.kept());
+                settled = now == std::exchange(kept, now);
+            }
             const bool mendable =
                 result.bars_missed() == 1 && !result.repeated.empty() && result.repeated.size() <= most_repeated;
             Path next = mendable && gaze + 1 < most_gazes ? planner.look_elsewhere(path, result.repeated) : Path{};
@@ -283,7 +293,7 @@ Plan plan(PlanOptions options)
             }
             path = std::move(next);
         }
-        if (faults == 0 || (number + 1 >= usual_attempts && faults < broken_promise)) break;
+        if (faults == 0 || ((settled || number + 1 >= usual_attempts) && faults < broken_promise)) break;
     }
     std::vector<Ball> gates = planner.atlas().gates();
     if (best.frames.empty()) {
