@@ -122,8 +122,9 @@ test_stills() {
     for now in png exr; do
         run 0 render path.json ${small/samples 1/samples 2} --frames 0-0 --stills light --still-format $now
     done
-    "$bin/imgdiff" light/frame-000000.png light/frame-000000.exr | grep -q ', 0 by more than 2/255' || fail "EXR differs"
-    grep -aq 'displayed.R.*Z' light/frame-000000.exr || fail "an EXR still has no depth"
+    "$bin/imgdiff" light/frame-000000.png light/frame-000000.exr >difference
+    grep -q ', 0 by more than 2/255' difference || fail "an EXR still differs: $(cat difference)"
+    grep -aq 'Z.*displayed.R' light/frame-000000.exr || fail "an EXR still has no depth"
     run 2 render path.json ${small/samples 1/samples 1.5} --stills light --still-format exr
     says "^--samples: 1.5 given, expected a whole number"
 }

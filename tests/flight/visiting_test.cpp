@@ -122,6 +122,10 @@ TEST(Visits, PlaceOutOfReachIsNamedWithTheNearestInReach)
     EXPECT_TRUE(inside.starts_with("places.csv:3: the camera cannot reach the location 0.3,0.2,0.1, inside")) << inside;
     std::smatch nearest;
     ASSERT_TRUE(std::regex_search(inside, nearest, std::regex("nearest free place is ([-.0-9,e]+)$"))) << inside;
+    // That place is in a hollow.
+    const std::string hollow = refusal(nearest[1].str() + look);
+    ASSERT_TRUE(std::regex_search(hollow, nearest, std::regex("free way leads; .* can reach is ([-.0-9,e]+)$")))
+        << hollow;
     EXPECT_EQ(refusal(nearest[1].str() + look), "");
     // All faults are in one message.
     const std::string both = refusal("0.3,0.2,0.1" + look + ravine + "\n6.9,0,0,10,0,0,,\n");
