@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -53,7 +54,7 @@ bool goes_to_stdout(const std::string& file)
 bool show_audit(const Flythrough& options, const Path& path, double planning, const Backend& backend)
 {
     tell_audit(path);
-    Audit result = audit(path, options.plan.threads, planning);
+    Audit result = audit(path, options.plan.threads);
     std::ranges::move(truth_rows(path, backend, options.film.renderer, options.film.picture),
                       std::inserter(result.rows, std::ranges::find(result.rows, false, &Row::promise)));
     const auto taken = options.written();
@@ -63,7 +64,7 @@ bool show_audit(const Flythrough& options, const Path& path, double planning, co
         print("{}", table_of(path, result));
         flush_stdout();
     }
-    if (!options.json.empty()) write_file(options.json, json_of(path, result));
+    if (!options.json.empty()) write_file(options.json, json_of(path, result, planning));
     return result.promises_kept();
 }
 
@@ -164,7 +165,7 @@ Path path_of(Flythrough& options, const Backend& backend)
     if (film.stills.empty()) check_ffmpeg(container_of(film.output));
     if (options.reads_path()) {
         const Path whole = read_path(options.path);
-        Path path = whole;
+        Path path = options.rate > 0 ? at_rate(whole, std::numeric_limits<int>::max(), options.rate) : whole;
         choose_frames(path, options);
         check_pictures(film, path.frames.size(), path.frames_per_second);
         refuse_broken(whole, options);

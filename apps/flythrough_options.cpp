@@ -76,9 +76,7 @@ void add_planning(CLI::App& app, Flythrough& options)
     add_estimate_option(app, options.conservative);
     app.add_option("--frames", options.frames, "number of frames, without the title (default: 4 minutes)")
         ->check(whole(2, most_frames));
-    app.add_option("--fps", options.rate, "frames per second, recorded in the path file")
-        ->check(whole(1, most_frames_per_second))
-        ->capture_default_str();
+    options.rate = frames_per_second;
     app.add_option("--map", options.map,
                    "write the data for a drawing of the flight to this file, as JSON: free spheres and narrow passages "
                    "near the path, and for every frame the camera's position, turn and distance to the surface");
@@ -109,7 +107,10 @@ void add_filming(CLI::App& app, Flythrough& options)
               "render only segments A-B (60 frames each, from 0), and do not join them into a film");
     app.add_flag("--stereo", film.picture.stereo, "side-by-side stereo, the left eye on the left");
     auto* stills = app.add_option("--stills", film.stills, "write still frames to this folder instead of a film");
-    add_choice(app, "--still-format", film.jpeg, {{"png", false}, {"jpeg", true}}, "format of stills")->needs(stills);
+    add_choice(app, "--still-format", film.picture.format,
+               {{"png", ImageFormat::png}, {"jpeg", ImageFormat::jpeg}, {"exr", ImageFormat::exr}},
+               "format of stills; exr: linear light and depth, 32 bits a value, without the films' filter")
+        ->needs(stills);
     for (CLI::Option* option :
          {app.add_option("--output", film.output, "film: .mp4, .mkv, .webm or .gif")->capture_default_str(),
           app.add_option("--summary", options.summary,
@@ -135,6 +136,12 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options)
             ->required(options.reads_path());
     }
     if (!options.reads_path()) add_planning(app, options);
+    if (options.command != Command::audit) {
+        app.add_option("--fps", options.rate,
+                       fmt::format("frames per second; the camera keeps its pace (default: {})",
+                                   options.reads_path() ? "the path file's" : "30, kept in the path file"))
+            ->check(whole(1, most_frames_per_second));
+    }
     if (options.command == Command::preview) {
         options.film.output = "preview.mp4";
         options.film.every = 8;

@@ -23,12 +23,12 @@ struct Flythrough {
     std::string parameters;  // a parameter file with the fractal
     std::string places;      // plan, film: a places file
     std::string fractal{fractals().front().name};
-    PlanOptions plan;              // completed by read_plan()
-    int frames = 0;                // plan, film: length of the flight
-    int rate = frames_per_second;  // plan, film: frames per second
-    Part part;                     // film, render, preview: only this part of the path
-    std::string size;              // --size; empty: the command's default
-    bool conservative = true;      // plan, film: the kind of estimate; a path file contains its own
+    PlanOptions plan;          // completed by read_plan()
+    int frames = 0;            // plan, film: length of the flight
+    int rate = 0;              // frames per second; 0: those of the path file
+    Part part;                 // film, render, preview: only this part of the path
+    std::string size;          // --size; empty: the command's default
+    bool conservative = true;  // plan, film: the kind of estimate; a path file contains its own
     std::string backend = "auto";
     std::optional<int> device;  // nullopt: each MPI rank uses its own GPU
     std::string look_file;      // --look, if it names a file

@@ -106,10 +106,7 @@ Plan make_plan(const Flythrough& options)
 {
     Plan made = plan(options.plan);
     // A flight that ends at a place can be shorter.
-    const int wanted = options.plan.frames;
-    const auto flown = static_cast<int>(made.path.frames.size());
-    const int frames = flown < wanted ? (flown - 1) * options.rate / frames_per_second + 1 : options.frames;
-    made.path = at_rate(made.path, frames, options.rate);
+    made.path = at_rate(made.path, options.frames, options.rate);
     return made;
 }
 

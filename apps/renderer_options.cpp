@@ -66,7 +66,8 @@ RenderOptions parse_options(const char* program, const char* fractal, const Regi
         ->check(real(0, 1e6));
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p, 4k or 8k (default: from PARAMS)");
     app.add_option("--region", options.region,
-                   "render only this part: X,Y,WIDTH,HEIGHT in pixels from the bottom left");
+                   "render only this part: X,Y,WIDTH,HEIGHT in pixels from the bottom left; parts that are joined "
+                   "need --mode exact, else their edges can show");
     app.add_option("--samples", options.samples,
                    "samples per pixel side, 1 to 8; 2 means 4 per pixel (default 1, or 2 if PARAMS sets "
                    "super-sampling)")

@@ -37,6 +37,10 @@ def table(fractal, audits):
         name = f"{'!' if row['promise'] else ' '} {row['name']}{', ' + row['unit'] if row['unit'] else ''}"
         lines.append(f"{name:46.46} {bar:>9}" + "".join(f"{r['value']:>8.3g}" for r in rows) +
                      f"{sum(r['kept'] for r in rows):>5}/{len(rows)}")
+    most = {"mandelbulb": 10, "mandelbox": 15}[fractal]
+    planning = [audit["planning_seconds"] for audit, _ in audits]
+    lines.append(f"{'  planning, s':46} {f'<= {most}':>9}" + "".join(f"{value:>8.3g}" for value in planning) +
+                 f"{sum(value <= most for value in planning):>5}/{len(planning)}")
     lines.append(f"{'  planning and audit, s':46} {'':>9}" + "".join(f"{seconds:>8.1f}" for _, seconds in audits))
     return "\n".join(lines) + "\n"
 

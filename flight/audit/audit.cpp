@@ -246,13 +246,11 @@ std::string Audit::missed(bool promises) const
     return items.empty() ? "nothing" : items;
 }
 
-Audit audit(const Path& path, int threads, double planning, int stride)
+Audit audit(const Path& path, int threads, int stride)
 {
     Auditor auditor(path, threads, stride);
     auditor.promises();
     auditor.quality();
-    if (planning > 0)
-        auditor.add({"planning", planning, flight_measures(*path.scene.fractal).planning, true, false, "s"});
     return auditor.take();
 }
 
@@ -282,13 +280,14 @@ std::string table_of(const Path& path, const Audit& audit)
     return text;
 }
 
-std::string json_of(const Path& path, const Audit& audit)
+std::string json_of(const Path& path, const Audit& audit, double planning)
 {
     nlohmann::ordered_json json{{"schema", 1},
                                 {"program", version_line("flythrough")},
                                 {"fractal", path.scene.fractal->name},
                                 {"seed", path.seed},
                                 {"frames", path.frames.size()},
+                                {"planning_seconds", planning},
                                 {"promises_kept", audit.promises_kept()},
                                 {"bars_missed", audit.bars_missed()},
                                 {"rows", nlohmann::ordered_json::array()}};

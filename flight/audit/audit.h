@@ -43,14 +43,14 @@ struct Audit {
 };
 
 // Measures all items. `threads`: 0 for as many as the process may use; the number does not change the result.
-// `planning`: the planning time in seconds; an item of the audit if it is positive. `stride`: items about views use
-// every stride-th frame only.
-Audit audit(const Path& path, int threads, double planning = 0, int stride = 1);
+// `stride`: items about views use every stride-th frame only.
+Audit audit(const Path& path, int threads, int stride = 1);
 
 // Measures only the promises. This is faster than audit(), because no views are computed.
 Audit audit_promises(const Path& path, int threads);
 
 std::string table_of(const Path& path, const Audit& audit);
-std::string json_of(const Path& path, const Audit& audit);
+// `planning`: the planning time in seconds; 0: not known.
+std::string json_of(const Path& path, const Audit& audit, double planning = 0);
 
 }  // namespace mandelmarch

@@ -61,15 +61,15 @@ field::Kernel field::kernel_of(std::string_view fractal)
     return make();
 }
 
-Budget::Budget(double seconds) : seconds_(seconds), start_(processor_seconds()) {}
+Budget::Budget(double seconds, std::string expected)
+    : seconds_(seconds), start_(processor_seconds()), expected_(std::move(expected))
+{
+}
 
 void Budget::check() const
 {
     if (processor_seconds() - start_ <= seconds_) return;
-    throw InputError(fmt::format(
-        "no path within {:.0f} s of processor time: this shape's distances cost too much, expected fewer iterations, "
-        "fewer frames or another shape (another seed does not help)",
-        seconds_));
+    throw InputError(fmt::format("no path within {:.0f} s of processor time, expected {}", seconds_, expected_));
 }
 
 DistanceField::DistanceField(const Scene& scene, int threads, const Budget* budget)

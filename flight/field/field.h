@@ -18,14 +18,15 @@ namespace mandelmarch {
 class Budget {
 public:
     // `seconds`: limit on the processor time of all threads of the program, measured from the construction. Other load
-    // on the machine therefore does not shorten a search.
-    explicit Budget(double seconds);
+    // on the machine therefore does not shorten a search. `expected`: what helps, for the message.
+    Budget(double seconds, std::string expected);
 
     // Throws InputError if the time is used up.
     void check() const;
 
 private:
     double seconds_, start_;
+    std::string expected_;
 };
 
 class DistanceField {

@@ -91,7 +91,7 @@ public:
                 todo.push_back(s);
             }
         }
-        FilmProgress progress(frames, ranks_.rank() == 0 ? finished : 0);
+        FilmProgress progress(frames, ranks_.rank() == 0 ? finished : 0, options_.progress);
         std::optional<FrameMaker> maker;
         if (!todo.empty()) maker.emplace(backend_, options_.renderer, path_, options_.picture);
         if (ranks_.rank() == 0 && todo.size() >= worth_a_forecast) foretell(*maker, todo);

@@ -2,6 +2,7 @@
 // Renders a path as a film or as still pictures.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,7 +21,6 @@ using Range = std::pair<std::size_t, std::size_t>;
 struct FilmOptions {
     std::string output = "video.mp4";
     std::string stills;  // folder for still frames instead of a film; empty: none
-    bool jpeg = false;   // stills are JPEG files, not PNG files
     // Only every `every`-th frame becomes a still. make_film() does not use it: the path of such a film has these
     // frames alone.
     std::size_t every = 1;
@@ -33,6 +33,7 @@ struct FilmOptions {
     std::optional<Range> segments;
     // The frames [first, second] of the path that are shown; all if not set.
     std::optional<Range> frames;
+    std::function<void(double)> progress;  // receives the finished share of the film, beside stderr; may be empty
 };
 
 // Statistics of make_film().
@@ -71,8 +72,8 @@ FilmStats make_film(const Path& path, const Backend& backend, const FilmOptions&
 // Throws InputError if stills cannot be made from a path of `frames` frames.
 void check_stills(const FilmOptions& options, std::size_t frames);
 
-// Writes frame-000123.png (or .jpg) and its stamp for every `every`-th of the chosen frames. Keeps files that are
-// finished according to their stamps. Returns the number of stills, including those kept.
+// Writes frame-000123.png (or .jpg or .exr) and its stamp for every `every`-th of the chosen frames. Keeps files that
+// are finished according to their stamps. Returns the number of stills, including those kept.
 std::size_t make_stills(const Path& path, const Backend& backend, const FilmOptions& options, Ranks& ranks);
 
 }  // namespace mandelmarch

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/image/averaged.h"
 #include "core/os/memory.h"
 #include "core/render/stereo.h"
 #include "core/text/error.h"
@@ -162,7 +163,8 @@ std::uint64_t memory_of(const Picture& picture)
     constexpr std::uint64_t beside = 300ULL << 20;  // bytes for the program, the encoder and buffered frames
     const auto width = static_cast<std::uint64_t>(samples_along(picture.width, picture.samples));
     const auto height = static_cast<std::uint64_t>(samples_along(picture.height, picture.samples));
-    return 3 * width * height + beside;
+    const std::uint64_t images = picture.format == ImageFormat::exr ? 2 : 1;  // the samples, and their means
+    return images * Image::bytes_per_pixel(layers_of(picture.format)) * width * height + beside;
 }
 
 void check_picture(const Picture& picture)
@@ -174,6 +176,9 @@ void check_picture(const Picture& picture)
     if (width > max_side || height > max_side) {
         throw InputError(fmt::format("{} have a side of more than {}, expected a smaller size", size, max_side));
     }
+    if (picture.format == ImageFormat::exr && picture.samples != std::floor(picture.samples)) {
+        throw InputError(fmt::format("--samples: {} given, expected a whole number for EXR stills", picture.samples));
+    }
     const std::string lack = memory_shortage(size, memory_of(picture));
     if (!lack.empty()) throw InputError(lack + ", expected a smaller size");
 }
@@ -183,7 +188,7 @@ FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, c
 {
     check_picture(picture);
     image_ = Image(samples_along(picture.width, picture.samples), samples_along(picture.height, picture.samples),
-                   Image::Layers::bytes);
+                   layers_of(picture.format));
 }
 
 void FrameMaker::render(std::size_t frame)
@@ -202,6 +207,12 @@ std::vector<std::uint8_t> FrameMaker::draw(std::size_t frame)
     render(frame);
     if (picture_.width == image_.width() && picture_.height == image_.height()) return softened(image_, threads_);
     return shrunk(image_, picture_.width, picture_.height, threads_);
+}
+
+Image FrameMaker::draw_layers(std::size_t frame)
+{
+    render(frame);
+    return averaged(image_, static_cast<int>(picture_.samples));
 }
 
 std::vector<std::uint8_t> shrunk(const Image& picture, int width, int height, int threads)

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/image/formats/image_file.h"
 #include "core/image/image.h"
 #include "core/render/backend.h"
 #include "flight/path/path.h"
@@ -27,13 +28,15 @@ struct Picture {
     // Equirectangular pictures do not turn with the camera: up is always y, and the centre is always the horizontal
     // direction of the first frame's gaze.
     Projection projection = Projection::perspective;
-    bool stereo = false;  // side by side; the eye distance is 1/30 of the clearance
+    bool stereo = false;                    // side by side; the eye distance is 1/30 of the clearance
+    ImageFormat format = ImageFormat::png;  // of stills: png, jpeg or exr
 };
 
 // Returns the bytes that a film of these pictures needs in memory.
 std::uint64_t memory_of(const Picture& picture);
 
-// Throws InputError if the picture needs more than the available memory, or if a side is too long.
+// Throws InputError if the picture needs more than the available memory, if a side is too long, or if pixels of an EXR
+// picture share samples.
 void check_picture(const Picture& picture);
 
 // Returns the options without trials, which would choose another step factor for each frame of a film.
@@ -51,6 +54,8 @@ public:
 
     // Returns the frame's RGB bytes, top row first.
     std::vector<std::uint8_t> draw(std::size_t frame);
+    // Returns the frame with the layers of the picture's format. Pixels are means of their samples, without a filter.
+    Image draw_layers(std::size_t frame);
 
 private:
     void render(std::size_t frame);

@@ -22,16 +22,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_still(const std::string& file, ImageFormat format, const std::vector<std::uint8_t>& rgb,
-                 const Picture& picture)
+void write_still(const std::string& file, FrameMaker& maker, std::size_t frame, const Picture& picture)
 {
+    if (picture.format == ImageFormat::exr) {
+        return write_image(file, picture.format, maker.draw_layers(frame), NamedBy::program);
+    }
+    const std::vector<std::uint8_t> rgb = maker.draw(frame);
     Image image(picture.width, picture.height, Image::Layers::bytes);
     const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
     for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height); ++y) {
         const auto from = rgb.begin() + static_cast<std::ptrdiff_t>(y * row);
         std::copy_n(from, row, image.bytes().end() - static_cast<std::ptrdiff_t>((y + 1) * row));
     }
-    write_image(file, format, image, NamedBy::program);
+    write_image(file, picture.format, image, NamedBy::program);
 }
 
 std::vector<std::size_t> frames_of(const FilmOptions& options, std::size_t all)
@@ -94,11 +97,13 @@ std::size_t make_stills(const Path& path, const Backend& backend, const FilmOpti
     fs::create_directories(options.stills, error);
     if (error) throw Error(fmt::format("{}: cannot make the folder: {}", options.stills, error.message()));
     const std::vector<std::size_t> frames = frames_of(options, path.frames.size());
+    const ImageFormat format = options.picture.format;
+    const std::string ending = format == ImageFormat::jpeg ? "jpg" : format == ImageFormat::exr ? "exr" : "png";
     const auto name = [&](std::size_t frame) {
-        return fmt::format("{}/frame-{:06}.{}", options.stills, frame, options.jpeg ? "jpg" : "png");
+        return fmt::format("{}/frame-{:06}.{}", options.stills, frame, ending);
     };
-    const std::string pictures = digest(
-        description_of(path, backend, options.picture, options.renderer, {{"encoder", options.jpeg ? "jpeg" : "png"}}));
+    const std::string pictures =
+        digest(description_of(path, backend, options.picture, options.renderer, {{"encoder", ending}}));
     const auto made_of = [&](std::size_t frame) { return fmt::format("{} frame {}", pictures, frame); };
     FilmProgress progress(frames.size(), 0);
     FrameMaker maker(backend, options.renderer, path, options.picture);
@@ -107,8 +112,7 @@ std::size_t make_stills(const Path& path, const Backend& backend, const FilmOpti
         [&](std::size_t i) {
             const std::string file = name(frames[i]);
             if (state_of(file, made_of(frames[i])) == FileState::whole) return;
-            write_still(file, options.jpeg ? ImageFormat::jpeg : ImageFormat::png, maker.draw(frames[i]),
-                        options.picture);
+            write_still(file, maker, frames[i], options.picture);
             write_note(file, made_of(frames[i]), digest_of_file(file));
         },
         [&](std::size_t) { progress.add(1); });

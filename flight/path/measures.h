@@ -16,7 +16,6 @@ struct FlightMeasures {
     double step = 0.2;           // limit: max step of the camera, in clearances per frame
     double aside = 10;           // limit: max percentage of frames that look more than 60 degrees away from the motion
     double passages = 12;        // limit: min number of passages per 7200 frames
-    double planning = 10;        // limit: max seconds of planning
 };
 
 // Returns the fractal's own measures, or the defaults if it has none.
@@ -31,8 +30,7 @@ inline FlightMeasures flight_measures(const Fractal& fractal)
             .pace = 0.24,
             .step = 0.25,
             .aside = 2,
-            .passages = 8,
-            .planning = 15};
+            .passages = 8};
 }
 
 }  // namespace mandelmarch

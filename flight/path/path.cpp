@@ -128,9 +128,11 @@ int frames_at_rate(int frames, int from, int to)
 
 Path at_rate(const Path& path, int frames, int rate)
 {
+    const auto last = static_cast<std::int64_t>(path.frames.size()) - 1;
+    frames = static_cast<int>(std::min<std::int64_t>(frames, last * rate / path.frames_per_second + 1));
     Path result = path;
     if (rate == path.frames_per_second) {
-        result.frames.resize(std::min(path.frames.size(), static_cast<std::size_t>(frames)));
+        result.frames.resize(static_cast<std::size_t>(frames));
         return result;
     }
     std::vector<CameraNumbers> values;

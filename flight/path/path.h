@@ -83,8 +83,8 @@ Frame rolled(Frame frame, double angle);
 // frames per second.
 int frames_at_rate(int frames, int from, int to);
 
-// Returns the flight of `path` as `frames` frames at `rate` frames per second. These frames must not last longer than
-// the path. The camera follows a cubic spline through the path's frames, so that its speed and acceleration are
+// Returns the flight of `path` at `rate` frames per second: as many frames as it has time for, up to `frames`. The
+// camera follows a cubic spline through the path's frames, so that its speed and acceleration are
 // continuous. A changing shape is interpolated linearly between two frames. Camera numbers are rounded as in a path
 // file. If `rate` is the path's rate, only the number of frames changes.
 Path at_rate(const Path& path, int frames, int rate);

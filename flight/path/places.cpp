@@ -2,6 +2,7 @@
 #include "flight/path/places.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ constexpr std::size_t columns = 10;
 constexpr std::size_t needed = 6;  // the first of the columns; a table may lack the others
 constexpr std::size_t most_places = 1000;
 constexpr std::size_t longest_field = 80;  // bytes of a field in a message
+constexpr std::size_t most_faults = 8;     // in one message
 constexpr double farthest = 1e9;           // largest coordinate
 constexpr double latest = 1e6;             // seconds
 constexpr double least_lens = 0.1, most_lens = 2;
@@ -35,9 +37,34 @@ public:
         names_ = fields_of(places_header, ',');
     }
 
+    // Reads a line. Faults of lines below the header are collected for take().
     void read(std::string_view line)
     {
         ++number_;
+        const bool below = separator_ != 0;
+        try {
+            read_fields(line);
+        } catch (const InputError& fault) {
+            if (!below) throw;
+            if (faults_.size() <= most_faults) faults_.emplace_back(fault.what());
+        }
+    }
+
+    Places take()
+    {
+        number_ = std::max(number_, 1);
+        if (separator_ == 0) fail_head("the table is empty");
+        if (faults_.size() > most_faults) faults_.back() = "and more";
+        if (!faults_.empty()) throw InputError(fmt::format("{}", fmt::join(faults_, "; ")));
+        if (places_.all.empty()) {
+            throw InputError(fmt::format("{}: no places, expected lines below the header", places_.file));
+        }
+        return std::move(places_);
+    }
+
+private:
+    void read_fields(std::string_view line)
+    {
         if (trimmed(line).empty() || trimmed(line).front() == '#') return;
         if (separator_ == 0) return head(line);
         const std::vector<std::string> given = fields_of(line, separator_);
@@ -59,17 +86,6 @@ public:
         add(fields);
     }
 
-    Places take()
-    {
-        number_ = std::max(number_, 1);
-        if (separator_ == 0) fail_head("the table is empty");
-        if (places_.all.empty()) {
-            throw InputError(fmt::format("{}: no places, expected lines below the header", places_.file));
-        }
-        return std::move(places_);
-    }
-
-private:
     [[noreturn]] void fail(const std::string& why) const
     {
         throw InputError(fmt::format("{}:{}: {}", places_.file, number_, why));
@@ -145,6 +161,7 @@ private:
             return Vector{x, y, real(fields, first + 2, -farthest, farthest)};
         };
         Place place;
+        place.tour = std::exchange(places_.tour_after, false);
         place.eye = point(0);
         place.target = point(3);
         if (!(length(place.target - place.eye) > 0)) fail("look_at is the location, expected another point");
@@ -152,7 +169,6 @@ private:
         place.stay = fields[7].empty() ? usual_stay : real(fields, 7, 0, most_stay);
         if (!fields[8].empty()) place.lens = real(fields, 8, least_lens, most_lens);
         if (!fields[9].empty()) place.roll = real(fields, 9, -180, 180);
-        place.tour = places_.tour_after;
         place.line = number_;
         if (place.tour && place.second == 0) fail("second is 0, expected a later one after a tour");
         in_time(place);
@@ -161,7 +177,6 @@ private:
         } else {
             latest_ += place.stay;
         }
-        places_.tour_after = false;
         places_.all.push_back(place);
     }
 
@@ -177,7 +192,8 @@ private:
     std::vector<std::size_t> order_;  // the column of each of the table's fields; `columns` if it has no name
     int number_ = 0;                  // number of the present line, from 1
     char separator_ = 0;              // 0: the header is not read yet
-    double latest_ = 0;               // seconds; earliest end of the stay at the last place
+    std::vector<std::string> faults_;
+    double latest_ = 0;  // seconds; earliest end of the stay at the last place
 };
 
 }  // namespace

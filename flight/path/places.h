@@ -36,7 +36,7 @@ inline constexpr double most_stay = 4;   // seconds; the audit limits the time f
 std::string place_line(const Place& place);
 
 // Parses a places file. `name`: the file's name, with which messages begin. Throws InputError with a message of one
-// line, which names the file's line and the column.
+// line, which names the line and the column of each fault.
 Places places_from_text(const std::string& text, const std::string& name);
 Places read_places(const std::string& file);
 

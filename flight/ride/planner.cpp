@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "core/os/stopwatch.h"
 #include "core/scene/fractal.h"
@@ -33,16 +35,16 @@ constexpr double first_share = 0.6;  // initial guess of the mean speed, as a fr
 constexpr double usual_slow = 0.7;   // wanted mean of a tour's speed factors
 constexpr double most_off = 1;       // frames; largest accepted time error at a keyframe
 
-// Limit on a plan's processor time: usual_seconds plus seconds_a_frame for each frame. The limit is many times what the
-// official shapes need.
-constexpr double usual_seconds = 60;
+// Limit on a plan's processor time: usual_seconds, or changing_seconds for the roadmaps of many shapes, plus
+// seconds_a_frame for each frame. The limit is many times what the official shapes need.
+constexpr double usual_seconds = 60, changing_seconds = 300;
 constexpr double seconds_a_frame = 0.02;
 
 constexpr int audit_stride = 5;  // frames between the views that audits of tours examine
 
 class Planner {
 public:
-    Planner(const PlanOptions& options, const Budget& budget)
+    Planner(const PlanOptions& options, const Budget& budget, const std::function<void(int, int)>& begins)
         : schedule_(options.schedule),
           places_(options.places),
           shapes_(options.scene, options.schedule.number(), options.threads, &budget),
@@ -50,17 +52,14 @@ public:
           seed_(options.seed),
           frames_(options.frames),
           size_(shapes_.field().bounds().size),
-          atlas_(shapes_, schedule_)
+          atlas_(shapes_, schedule_, begins)
     {
     }
 
     const RoadmapSet& atlas() const { return atlas_; }
 
     // Finds the places in the free space. Called before attempt(). Throws InputError as visits_of() does.
-    void find_places()
-    {
-        visits_ = visits_of(places_, atlas_.stretches(frames_).front(), least_clearance * size_, frames_);
-    }
+    void find_places() { visits_ = visits_of(places_, atlas_.stretches(frames_).front(), least_clearance * size_); }
 
     // Returns a message about the place that the last tour missed; "" if it missed none.
     const std::string& missed() const { return missed_; }
@@ -234,11 +233,19 @@ Plan plan(PlanOptions options)
     const auto& [scene, schedule, seed, frames, threads, log, most_seconds, places] = options;
     if (!schedule.knots().empty()) options.scene.shape[schedule.number()] = schedule.value(0);
     if (const std::string objection = flight_objection(scene); !objection.empty()) throw InputError(objection);
-    const Budget budget(most_seconds > 0 ? most_seconds : usual_seconds + seconds_a_frame * frames);
-    if (schedule.changes() && !places.all.empty()) {
+    const bool changes = schedule.changes();
+    const double usual = (changes ? changing_seconds : usual_seconds) + seconds_a_frame * frames;
+    const Budget budget(most_seconds > 0 ? most_seconds : usual,
+                        changes ? "a smaller change, more frames, fewer iterations or another seed"
+                                : "fewer iterations, fewer frames or another shape (another seed does not help)");
+    if (changes && !places.all.empty()) {
         throw InputError(fmt::format("{}: the shape changes in flight, expected a constant shape", places.file));
     }
-    Planner planner(options, budget);
+    if (!places.all.empty()) {
+        const DistanceField field(scene, threads, &budget);
+        check_places(places, field, least_clearance * field.bounds().size, frames);
+    }
+    Planner planner(options, budget, [&](int number, int all) { say(fmt::format("roadmap {} of {}", number, all)); });
     say(fmt::format("{} balls, {} gates{}", planner.atlas().balls().size(), planner.atlas().gates().size(),
                     planner.atlas().shapes() > 1 ? fmt::format(" of {} shapes", planner.atlas().shapes()) : ""));
     planner.atlas().check(scene);
@@ -252,6 +259,8 @@ Plan plan(PlanOptions options)
     double faults = 1e300;                     // of the best flight
     std::string broken;                        // its broken promises
     std::string missed;                        // message of the tour before
+    std::vector<bool> kept;                    // the items that the tour before keeps
+    bool settled = false;  // the tour before keeps the same items, so the places decide what is missed
     int attempts = 0;
     for (int number = 0; number < most_attempts; ++number) {
         budget.check();
@@ -270,9 +279,14 @@ Plan plan(PlanOptions options)
         // If only views repeat, the gaze is chosen again.
         for (int gaze = 0; gaze < most_gazes && !path.frames.empty(); ++gaze) {
             budget.check();
-            const Audit result = audit(path, threads, 0, audit_stride);
+            const Audit result = audit(path, threads, audit_stride);
             say(fmt::format("tour {}{}: misses {}\n{}", number, gaze > 0 ? ", looking elsewhere" : "",
                             result.missed(false), table_of(path, result)));
+            if (gaze == 0 && !places.all.empty()) {
+                std::vector<bool> now;
+                for (const Row& row : result.rows) now.push_back(row.kept());
+                settled = now == std::exchange(kept, now);
+            }
             const bool mendable =
                 result.bars_missed() == 1 && !result.repeated.empty() && result.repeated.size() <= most_repeated;
             Path next = mendable && gaze + 1 < most_gazes ? planner.look_elsewhere(path, result.repeated) : Path{};
@@ -283,15 +297,15 @@ Plan plan(PlanOptions options)
             }
             path = std::move(next);
         }
-        if (faults == 0 || (number + 1 >= usual_attempts && faults < broken_promise)) break;
+        if (faults == 0 || ((settled || number + 1 >= usual_attempts) && faults < broken_promise)) break;
     }
     std::vector<Ball> gates = planner.atlas().gates();
     if (best.frames.empty()) {
         if (!planner.missed().empty()) throw InputError(planner.missed());
-        throw Error(
-            fmt::format("plan: no tour of seed {} is long enough for {} frames among {} gates, expected fewer "
-                        "frames, another seed or a shape with more gates",
-                        seed, frames, gates.size()));
+        throw Error(fmt::format(
+            "plan: no tour of seed {} is {} for {} frames among {} gates, expected {} frames, another seed or {}", seed,
+            changes ? "in time" : "long enough", frames, gates.size(), changes ? "more" : "fewer",
+            changes ? "a smaller change" : "a shape with more gates"));
     }
     if (faults >= broken_promise) {
         throw Error(

@@ -2,6 +2,7 @@
 #include "flight/ride/visits.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,45 @@ bool shows(const DistanceField& field, Vector eye, Vector along)
     return view_of(field, {eye, eye + along, first_up(along), 1, {}}).middle_hit_share() >= least_shown;
 }
 
+// Returns the nearest of some places around a location that is wide enough for a camera.
+Vector nearest_free(const DistanceField& field, Vector location, double least)
+{
+    const Sphere sphere(512, 0.1);
+    for (double away = least;; away *= 1.1) {
+        for (const Vector direction : sphere.directions()) {
+            const Vector there = location + away * direction;
+            if (field.distance(there) > 2 * least) return there;
+        }
+    }
+}
+
+// Returns a message about a place at which a camera cannot be in time, or from which it sees nothing; "" if it can.
+std::string fault_of(const Place& place, const DistanceField& field, double least, int frames)
+{
+    const Vector along = unit(place.target - place.eye);
+    const double clearance = field.distance(place.eye);
+    if (place.second && *place.second * frames_per_second >= frames) {
+        return fmt::format("second is {}, but the film has {:.4g} s, expected less or more frames", *place.second,
+                           static_cast<double>(frames) / frames_per_second);
+    }
+    if (clearance < least) {
+        return fmt::format("the camera cannot reach the location {}, {}; the nearest free place is {}",
+                           text_of(place.eye),
+                           clearance <= in_solid * field.bounds().size ? "inside the fractal" : "too close to a wall",
+                           text_of(nearest_free(field, place.eye, least)));
+    }
+    if (shows(field, place.eye, along)) return {};
+    const Sphere sphere(512, 0.1);
+    std::vector<Vector> all = sphere.directions();
+    std::ranges::sort(all, [along](Vector a, Vector b) { return dot(a, along) > dot(b, along); });
+    const auto seen = std::ranges::find_if(all, [&](Vector d) { return shows(field, place.eye, d); });
+    return fmt::format("the view from {} to {} does not show the fractal in the picture's middle; {}",
+                       text_of(place.eye), text_of(place.target),
+                       seen == all.end() ? "no direction does"
+                                         : "the nearest direction that does has the look_at " +
+                                               text_of(place.eye + length(place.target - place.eye) * *seen));
+}
+
 // Finds the visits of places in a roadmap.
 class Visitor {
 public:
@@ -50,7 +90,6 @@ public:
         const double before = straight(place.eye, -1 * along, ball);
         const double after = straight(place.eye, along, ball);
         if (before <= 0 || after <= 0) refuse(place, along);
-        if (!shows(roads_.field, place.eye, along)) refuse_view(place, along);
         return {place.eye, along, before, after, ball, false, 0, std::numeric_limits<double>::infinity()};
     }
 
@@ -110,28 +149,9 @@ private:
                 break;
             }
         }
-        const double clearance = roads_.field.distance(place.eye);
         throw InputError(fmt::format(
-            "{}:{}: the camera cannot reach the location {}, {}{}", places_.file, place.line, text_of(place.eye),
-            clearance <= in_solid * roads_.field.bounds().size ? "inside the fractal"
-            : clearance < least_                               ? "too close to a wall"
-                                                               : "to which no free way leads",
-            std::isfinite(least) ? "; the nearest that it can reach is " + text_of(best) : ""));
-    }
-
-    [[noreturn]] void refuse_view(const Place& place, Vector along) const
-    {
-        const Sphere sphere(512, 0.1);
-        std::vector<Vector> all = sphere.directions();
-        std::ranges::sort(all, [along](Vector a, Vector b) { return dot(a, along) > dot(b, along); });
-        const auto seen = std::ranges::find_if(all, [&](Vector d) { return shows(roads_.field, place.eye, d); });
-        const std::string nearest = seen == all.end()
-                                        ? "no direction does"
-                                        : "the nearest direction that does has the look_at " +
-                                              text_of(place.eye + length(place.target - place.eye) * *seen);
-        throw InputError(
-            fmt::format("{}:{}: the view from {} to {} does not show the fractal in the picture's middle; {}",
-                        places_.file, place.line, text_of(place.eye), text_of(place.target), nearest));
+            "{}:{}: the camera cannot reach the location {}, to which no free way leads{}", places_.file, place.line,
+            text_of(place.eye), std::isfinite(least) ? "; the nearest that it can reach is " + text_of(best) : ""));
     }
 
     const Places& places_;
@@ -142,16 +162,20 @@ private:
 
 }  // namespace
 
-std::vector<Visit> visits_of(const Places& places, const RoadmapSpan& roads, double least, int frames)
+void check_places(const Places& places, const DistanceField& field, double least, int frames)
+{
+    std::vector<std::string> faults;
+    for (const Place& place : places.all) {
+        const std::string fault = fault_of(place, field, least, frames);
+        if (!fault.empty()) faults.push_back(fmt::format("{}:{}: {}", places.file, place.line, fault));
+    }
+    if (!faults.empty()) throw InputError(fmt::format("{}", fmt::join(faults, "; ")));
+}
+
+std::vector<Visit> visits_of(const Places& places, const RoadmapSpan& roads, double least)
 {
     std::vector<Visit> visits;
     if (places.all.empty()) return visits;
-    for (const Place& place : places.all) {
-        if (!place.second || *place.second * frames_per_second < frames) continue;
-        throw InputError(fmt::format("{}:{}: second is {}, but the film has {:.4g} s, expected less or more frames",
-                                     places.file, place.line, *place.second,
-                                     static_cast<double>(frames) / frames_per_second));
-    }
     const Visitor visitor(places, roads, least);
     for (const Place& place : places.all) visits.push_back(visitor.visit(place));
     if (Visit& first = visits.front(); places.all.front().second == 0) {

@@ -76,7 +76,8 @@ void Roadmap::find(const Roadmap* neighbour, int tries)
                        also);
 }
 
-RoadmapSet::RoadmapSet(const Shapes& shapes, const Schedule& schedule) : schedule_(schedule)
+RoadmapSet::RoadmapSet(const Shapes& shapes, const Schedule& schedule, const std::function<void(int, int)>& begins)
+    : schedule_(schedule)
 {
     if (!schedule.changes()) {
         low_ = high_ = shapes.usual();
@@ -90,6 +91,7 @@ RoadmapSet::RoadmapSet(const Shapes& shapes, const Schedule& schedule) : schedul
     step_ = step_of_values(shapes, low_, high_);
     const Roadmap* neighbour = nullptr;
     for (int number = 0; number <= number_of(high_); ++number) {
+        if (begins) begins(number + 1, number_of(high_) + 1);
         Scene scene = shapes.scene(value_of(number));
         scene.iterations = std::min(scene.iterations, roads_iterations);
         roads_[number] = std::make_unique<Roadmap>(scene, neighbour == nullptr ? first_of_many : one_of_many, neighbour,

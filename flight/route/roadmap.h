@@ -2,6 +2,7 @@
 // Roadmaps: the balls and the gates of a shape. A fractal that changes in flight has a set of roadmaps.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -44,7 +45,8 @@ struct RoadmapSpan {
 // roadmap.
 class RoadmapSet {
 public:
-    RoadmapSet(const Shapes& shapes, const Schedule& schedule);
+    // `begins`: called before each of several roadmaps with its number, from 1, and that of all; may be empty.
+    RoadmapSet(const Shapes& shapes, const Schedule& schedule, const std::function<void(int, int)>& begins = {});
 
     // Returns the roadmaps for a film of `frames` frames in order of time. A roadmap can occur several times.
     std::vector<RoadmapSpan> stretches(int frames) const;

@@ -11,6 +11,7 @@ namespace mandelmarch {
 namespace {
 
 constexpr double start_distance = 3;  // fractal sizes; distance of the tour's first point from the centre
+constexpr double start_length = 0.3;  // fractal sizes; length of the tour's first part if the shape changes
 // Fractal sizes; least clearance of the ball to which the tour leads first. The second applies if the first leaves
 // fewer than few_starts balls.
 constexpr std::array start_clearances{0.1, 0.06};
@@ -32,8 +33,11 @@ public:
         Node at{0, start()};
         if (visits_.empty() || !visits_.front().starts) {
             const Vector first = search_.ball(at).centre;
-            const Vector eye = start_distance * search_.field(0).bounds().size * unit(first);
-            add(eye, Pin::none, 0);
+            const double size = search_.field(0).bounds().size;
+            const bool changes = length_.frames_a_clearance > 0;
+            add((changes ? length(first) + start_length * size : start_distance * size) * unit(first), Pin::none, 0);
+            tour_.clock =
+                length_.frames_a_clearance * start_length * size / fastest_clearance(search_.field(0).bounds());
             add(first, Pin::none, 0);
         }
         for (const Visit& visit : visits_) at = fly_by(at, visit);

@@ -126,6 +126,14 @@ TEST(ExplorePace, PicturesFitTheTimeThatThereIs)
     EXPECT_LE(resolution.expected(static_cast<double>(width) * height), 0.012);
     EXPECT_GT(resolution.expected(1.2 * width * height), 0.012);
     EXPECT_EQ(resolution.size(960, 540, 1), std::pair(960, 540));
+    // On a busy machine, some pictures wait for a core.
+    for (int i = 0; i < 12; ++i) resolution.took(10'000, i % 3 == 0 ? 0.05 : 0.001);
+    EXPECT_GT(resolution.size(960, 540, 0.012).first, 400);
+    // If a quarter of the width takes longer than wanted, but not long, it is kept.
+    for (int i = 0; i < 6; ++i) resolution.took(6'000, 0.01);
+    EXPECT_EQ(resolution.size(960, 540, 0.012), std::pair(240, 135));
+    for (int i = 0; i < 6; ++i) resolution.took(6'000, 1);
+    EXPECT_EQ(resolution.size(960, 540, 0.012), std::pair(80, 45));
 }
 
 // Returns a path like one that is flown with an unsteady hand, and faster than the audit allows.

@@ -85,6 +85,9 @@ TEST(Plan, EndsWhenItsProcessorTimeIsSpent)
     const Scene box = official_scene("box", 16, 9);
     const std::string refusal = refusal_of([&] { plan({.scene = box, .frames = frames, .most_seconds = 1e-3}); });
     EXPECT_NE(refusal.find("processor time"), std::string::npos) << refusal;
+    const std::string changing =
+        refusal_of([&] { plan({.scene = box, .schedule = scale("2:2.03"), .frames = frames, .most_seconds = 1e-3}); });
+    EXPECT_NE(changing.find("more frames"), std::string::npos) << changing;
 }
 
 TEST(Schedule, RefusesNonsenseInOneLine)
@@ -105,8 +108,10 @@ TEST(Schedule, RefusesNonsenseInOneLine)
 TEST(ChangingPlan, KeepsEveryPromiseAndItsValues)
 {
     const Path& path = planned();
-    const Audit result = audit(path, 0, 0, 5);
+    const Audit result = audit(path, 0, 5);
     EXPECT_TRUE(result.promises_kept()) << table_of(path, result);
+    // Ten seconds suffice to get inside.
+    EXPECT_GT(row_of(result, "frames inside the hull").value, 40);
     EXPECT_EQ(path.frames.size(), static_cast<std::size_t>(frames));
     const auto value = [&](std::size_t i) { return scene_of(path, path.frames[i], 16, 9).shape[0]; };
     EXPECT_EQ(value(0), 2);

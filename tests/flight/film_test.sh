@@ -118,6 +118,15 @@ test_stills() {
     grep -q 'another film' stderr && fail "stills of another film, but they were replaced"
     run 0 render path.json ${small/32x16/64x32} --stills st --every 60
     says 'st has 2 pictures of another film, look, size'
+    # EXR stills are the same means of samples, with depths.
+    for now in png exr; do
+        run 0 render path.json ${small/samples 1/samples 2} --frames 0-0 --stills light --still-format $now
+    done
+    "$bin/imgdiff" light/frame-000000.png light/frame-000000.exr >difference
+    grep -q ', 0 by more than 2/255' difference || fail "an EXR still differs: $(cat difference)"
+    grep -aq 'Z.*displayed.R' light/frame-000000.exr || fail "an EXR still has no depth"
+    run 2 render path.json ${small/samples 1/samples 1.5} --stills light --still-format exr
+    says "^--samples: 1.5 given, expected a whole number"
 }
 
 # Tests errors that are reported in one line, before anything is rendered.

@@ -179,6 +179,7 @@ TEST(Rate, TheRateOfAPathChangesNothing)
 {
     const Path path = circle(90);
     EXPECT_EQ(to_text(at_rate(path, 90, frames_per_second)), to_text(path));
+    EXPECT_EQ(at_rate(path, 1000, 24).frames.size(), 72U);  // the path has time for so many
 }
 
 TEST(Rate, AShapeThatChangesIsBetweenTwoFramesShapes)

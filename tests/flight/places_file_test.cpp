@@ -112,6 +112,11 @@ TEST(PlacesFile, ErrorNamesTheLineAndTheColumn)
         EXPECT_TRUE(refusal.starts_with(message)) << refusal;
         EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
     }
+    const char* three = "x,2,3,0,0,0\ntour\n1,2,3,0,0,0,-1\ntour\n1,2,3,0,0,0,5,99\n";
+    EXPECT_EQ(refusal_of([&] { places_from_text(head + three, "a.csv"); }),
+              "a.csv:2: location_x is 'x', expected a number from -1000000000 to 1000000000; "
+              "a.csv:4: second is '-1', expected a number from 0 to 1000000; "
+              "a.csv:6: stay is '99', expected a number from 0 to 4");
     for (const auto& [text, message] : {
              std::pair<std::string, const char*>{"", "a.csv:1: the table is empty, expected the header location_x,"},
              {good, "a.csv:1: '1,2,3,0,0,0,20,2' given, expected the header location_x,"},

@@ -80,6 +80,8 @@ test_rates() {
     run 0 plan plan.json --frames 48 --fps 24
     python3 -c 'import json; path = json.load(open("plan.json"))
 assert path["frames_per_second"] == 24 and len(path["frames"]) == 48' || fail "another rate"
+    run 0 render plan.json $small --fps 12 --stills half
+    [ "$(ls half/*.png | wc -l)" = 24 ] || fail "a path at half its rate has $(ls half)"
 }
 
 # A shape that cannot be flown through is refused before planning, from whatever input it comes. changing_test.cpp has

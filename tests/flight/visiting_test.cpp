@@ -99,7 +99,7 @@ TEST(Visits, FlightCanBeginAtAPlaceWithoutAStay)
 
 TEST(Visits, FlightKeepsEveryPromise)
 {
-    const Audit result = audit(visiting(), 0, 0, 5);
+    const Audit result = audit(visiting(), 0, 5);
     EXPECT_TRUE(result.promises_kept()) << table_of(visiting(), result);
 }
 
@@ -108,8 +108,10 @@ std::string refusal(const std::string& lines)
 {
     static const Shapes shapes(box(), 0, 0);
     static const RoadmapSet roads(shapes, {});
-    return refusal_of(
-        [&] { visits_of(places(lines), roads.stretches(1).front(), 0.0034 * shapes.field().bounds().size, 9000); });
+    return refusal_of([&] {
+        check_places(places(lines), shapes.field(), 0.0034 * shapes.field().bounds().size, 9000);
+        visits_of(places(lines), roads.stretches(1).front(), 0.0034 * shapes.field().bounds().size);
+    });
 }
 
 TEST(Visits, PlaceOutOfReachIsNamedWithTheNearestInReach)
@@ -119,8 +121,15 @@ TEST(Visits, PlaceOutOfReachIsNamedWithTheNearestInReach)
     const std::string inside = refusal(ravine + "\n0.3,0.2,0.1" + look);
     EXPECT_TRUE(inside.starts_with("places.csv:3: the camera cannot reach the location 0.3,0.2,0.1, inside")) << inside;
     std::smatch nearest;
-    ASSERT_TRUE(std::regex_search(inside, nearest, std::regex("can reach is ([-.0-9,e]+)$"))) << inside;
+    ASSERT_TRUE(std::regex_search(inside, nearest, std::regex("nearest free place is ([-.0-9,e]+)$"))) << inside;
+    // That place is in a hollow.
+    const std::string hollow = refusal(nearest[1].str() + look);
+    ASSERT_TRUE(std::regex_search(hollow, nearest, std::regex("free way leads; .* can reach is ([-.0-9,e]+)$")))
+        << hollow;
     EXPECT_EQ(refusal(nearest[1].str() + look), "");
+    // All faults are in one message.
+    const std::string both = refusal("0.3,0.2,0.1" + look + ravine + "\n6.9,0,0,10,0,0,,\n");
+    EXPECT_TRUE(std::regex_search(both, std::regex("^places.csv:2: .*; places.csv:4: the view from"))) << both;
 }
 
 TEST(Visits, ViewOfTheSkyIsNamedWithTheNearestViewOfTheFractal)

@@ -248,6 +248,8 @@ void PathEditor::film(const Registry& registry, const Setup& setup, const std::s
     options.picture.width = width;
     options.picture.height = height;
     check_film(options, frames(), path_.frames_per_second);
+    filmed_ = std::make_shared<std::atomic<double>>(0);
+    options.progress = [filmed = filmed_](double share) { *filmed = share; };
     filming_.start([path = path_, &backend = backend_of(registry, setup), options] {
         Ranks ranks;
         const FilmStats report = make_film(path, backend, options, ranks);

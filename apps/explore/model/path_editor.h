@@ -2,9 +2,11 @@
 // The path editor: records, opens, plans, plays and smooths a path, and renders it as a film.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
@@ -78,6 +80,7 @@ public:
     void film(const Registry& registry, const Setup& setup, const std::string& file, int width, int height);
     bool planning() const { return planning_.running(); }
     bool filming() const { return filming_.running(); }
+    double filmed() const { return *filmed_; }  // the finished share of the film in progress
 
     // Takes over the results of background work. Returns a message for the user if a plan or a film is finished or if
     // background work has failed; otherwise "". Must be called regularly.
@@ -90,6 +93,7 @@ private:
     double owed_ = 0;  // time recorded since the last frame, in frames
     Task<Path> planning_;
     Task<std::string> filming_;
+    std::shared_ptr<std::atomic<double>> filmed_;  // the film's thread, which writes it, can outlive this object
 };
 
 // Returns a frame whose camera lies between the cameras of `a` (share 0) and `b` (share 1). Its changes to the scene

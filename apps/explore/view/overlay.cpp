@@ -85,7 +85,8 @@ void show_overlay(const Model& model, const Panes& panes, const SDL_Rect& area, 
     if (path_editor.recording())
         column.add(fmt::format("recording, {} frames", path_editor.frames()), warning_colour, true);
     if (path_editor.planning()) column.add("planning a tour", text_colour, true);
-    if (path_editor.filming()) column.add("filming", text_colour, true);
+    if (path_editor.filming())
+        column.add(fmt::format("filming: {:.0f} %", 100 * path_editor.filmed()), text_colour, true);
 }
 
 void show_help(Model& model)

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "core/os/stopwatch.h"
+#include "flight/path/path.h"
 
 namespace mandelmarch::explore {
 namespace {
@@ -19,6 +20,17 @@ constexpr int gap = 2;                               // pixels between panes
 constexpr std::uint32_t mark_visible = 0xFFFF00FFU;  // colour of pixels that differ by more than 2 of 255
 constexpr std::uint32_t mark_any = 0xFFFFFF00U;      // colour of other pixels that differ
 constexpr int visible = 2;                           // largest invisible difference of bytes (core/image/compare.h)
+
+// Returns the scene as a film of its size shows it: without details that are smaller than a pixel, which flicker.
+Scene in_motion(const Scene& scene)
+{
+    const Frame frame{scene.eye, scene.target, scene.up, scene.field_of_view, {}};
+    Scene moving = picture_of({.scene = scene, .frames = {}}, frame, scene.width, scene.height);
+    moving.detail = std::max(moving.detail, scene.detail);
+    moving.iterations = scene.iterations;
+    moving.centred = true;
+    return moving;
+}
 
 }  // namespace
 
@@ -77,7 +89,7 @@ std::optional<RenderRequest> Panes::next(bool moving, double budget) const
         RenderRequest made{static_cast<int>(number), view_, panes_[number].setup, scene_, samples, moving};
         made.scene.width = width;
         made.scene.height = height;
-        if (moving) made.scene.centred = true;
+        if (moving) made.scene = in_motion(made.scene);
         return made;
     };
     if (moving) {
