@@ -30,7 +30,7 @@ constexpr bool layout_is_portable()
     constexpr std::size_t real = sizeof(Layout::tolerance);
     return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 15 * real &&
            offsetof(Layout, look) == 32 + 28 * real && offsetof(Layout, eye) == 32 + 96 * real &&
-           sizeof(Layout) == 32 + 116 * real;
+           sizeof(Layout) == 32 + 128 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
@@ -101,7 +101,10 @@ void put_camera(const Scene& scene, Layout& k)
     assign(k.forward, camera.forward);
     assign(k.across, camera.across);
     assign(k.upward, camera.upward);
-    assign(k.sun, scene.sun);
+    assign(k.sun, scene.sky.sun);
+    assign(k.sky_west, cross(scene.sky.up, scene.sky.north));
+    assign(k.sky_up, scene.sky.up);
+    assign(k.sky_north, scene.sky.north);
 }
 
 }  // namespace
