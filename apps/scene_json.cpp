@@ -122,7 +122,8 @@ Json json_of(const Layout& k)
             {"sun", of(k.sun)},
             {"sky_west", of(k.sky_west)},
             {"sky_up", of(k.sky_up)},
-            {"sky_north", of(k.sky_north)}};
+            {"sky_north", of(k.sky_north)},
+            {"grain", of(k.grain)}};
 }
 
 }  // namespace

@@ -131,6 +131,7 @@ std::vector<NamedScene> odd_scenes()
         scenes.add(fmt::format("{}, some of all directions", fractal.short_name), scene);
         scene.crop_window = {};
         scene.look = cloudy_look();
+        scene.grainy = true;
         scenes.add(fmt::format("{}, a look of its own", fractal.short_name), scene);
     }
     return scenes.take();

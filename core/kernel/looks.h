@@ -169,6 +169,15 @@ FN real displayed(Scene scene, real light)
     return root(saturated(quotient(x * (R(2.51) * x + R(0.03)), x * (R(2.43) * x + R(0.59)) + R(0.14))));
 }
 
+// Returns a displayed colour with a noise of half of 1/255, which hides the steps between bytes in a smooth sky. It
+// depends on the direction only (Jimenez, "Next generation post processing in Call of Duty", SIGGRAPH 2014 course).
+FN vec3 grained(Scene scene, vec3 colour, vec3 direction)
+{
+    real place = dot3(direction, splat(scene.grain));
+    real noise = R(52.9829189) * (place - nearest(place));
+    return along(colour, vec3(1, 1, 1), R(0.00392156862745098) * (noise - nearest(noise)));
+}
+
 struct Look {
     vec3 colour;
     counter de_calls;

@@ -40,6 +40,7 @@ struct Scene {
     triple sky_west;
     triple sky_up;
     triple sky_north;
+    triple grain;  // the noise of skies, see grained() in looks.h; 0: none
 };
 
 // A ray that is being marched. It can be stored after any step, and another pass can continue it.

@@ -88,6 +88,7 @@ struct Scene {
     // The following are not in the parameter file, because the original program does not have them.
     bool conservative = false;  // use the fractal's conservative estimate
     bool smooth = false;        // normals ignore details smaller than a tolerance
+    bool grainy = false;        // the sky of a look has a noise that hides the steps between bytes
     bool centred = false;       // rays go through the centres of the pixels; false: through their lower left corners
     Projection projection = Projection::perspective;
     Sky sky;

@@ -59,6 +59,18 @@ TEST(Look, LightTurnsWithTheSky)
     EXPECT_LT(compare(picture_of(*openmp, turned, cloudy_look()), expected).visibly_differing, 200);
 }
 
+TEST(Look, GrainChangesManyBytesOfASkyByOne)
+{
+    const auto openmp = make_openmp_backend();
+    Scene scene = official_scene("box", 256, 16);
+    scene.target = 2.0 * scene.eye;
+    const Image plain = picture_of(*openmp, scene, *look_named("lagoon"));
+    scene.grainy = true;
+    const Comparison change = compare(picture_of(*openmp, scene, *look_named("lagoon")), plain);
+    EXPECT_EQ(change.largest, 1);
+    EXPECT_GT(change.differing, change.pixels / 4);
+}
+
 TEST(Look, FileGivesItsNumbers)
 {
     const LookValues look =
