@@ -155,6 +155,7 @@ void choose_frames(Path& path, Flythrough& options)
     std::vector<Frame> kept;
     for (std::size_t at = first; at <= last; at += film.every) kept.push_back(path.frames[at]);
     path.frames = std::move(kept);
+    path.every = static_cast<int>(film.every);
     film.frames.reset();
 }
 
@@ -231,6 +232,7 @@ int run(const Registry& registry, Flythrough options)
         if (ranks->rank() != 0) {
             if (options.film.every > 1 && options.film.stills.empty()) {
                 options.film.frames.reset();
+                path.every = static_cast<int>(options.film.every);
             } else {
                 choose_frames(path, options);
             }

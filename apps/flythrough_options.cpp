@@ -9,10 +9,8 @@
 #include <tuple>
 
 #include "apps/cli/options.h"
-#include "core/os/input_file.h"
 #include "core/text/environment.h"
 #include "core/text/error.h"
-#include "core/text/number.h"
 #include "core/text/version.h"
 
 namespace mandelmarch {
@@ -41,23 +39,6 @@ CLI::Option* add_range(CLI::App& app, const std::string& name, std::optional<Ran
         range = {static_cast<std::size_t>(a), static_cast<std::size_t>(b)};
     };
     return app.add_option_function<std::string>("--" + name, set, about);
-}
-
-// Sets the look to a colouring type, given by its number or name, or to a look file.
-void set_look(const std::string& text, Flythrough& options)
-{
-    std::optional<ChosenLook>& look = options.film.picture.look;
-    if (parse_whole(text)) {
-        look = {.colouring = whole_option("look", text, 0, colouring_types - 1)};
-        return;
-    }
-    for (int type = 2; type < colouring_types; ++type) {
-        if (text != colouring_names.at(static_cast<std::size_t>(type))) continue;
-        look = {.colouring = type};
-        return;
-    }
-    options.look_file = text;
-    look = {.colouring = 2, .values = parse_look(text_of_file(text, "look file"), text)};
 }
 
 // Adds the options of commands that plan a flight.
@@ -163,9 +144,8 @@ void add_options(CLI::App& app, const Registry& registry, Flythrough& options)
         ->check(whole(0, 1'000'000));
     add_precision_options(app, options.film.renderer);
     add_threads_option(app, options.plan.threads);
-    app.add_option_function<std::string>(
-        "--look", [&](const std::string& text) { set_look(text, options); },
-        fmt::format("look: number, name or file (default: {})", options.reads_path() ? "the path file's" : "coral"));
+    add_look_option(app, options.film.picture.look, options.look_file,
+                    options.reads_path() ? "the path file's" : "coral");
 }
 
 // Sets the pictures' size to that of --size or to the default, which depends on the other options.

@@ -29,6 +29,7 @@
 namespace mandelmarch {
 namespace {
 
+constexpr double beside = 110;            // degrees; azimuth of a sun to the right, a little behind the camera
 constexpr int largest_whole = 1'000'000;  // pixels; largest side of a picture if only a region of it is rendered
 
 // Returns the parameters of the file or, if no file is given, of the fractal's official scene.
@@ -45,6 +46,18 @@ void apply_size(const RenderOptions& options, Scene& scene)
     if (options.size.empty()) return;
     std::tie(scene.width, scene.height) = size_option(options.size, options.region.empty() ? max_side : largest_whole,
                                                       panoramas(options.projection, options.eyes > 0));
+}
+
+// Gives the scene a look, under a sky as in films: the horizon is level for a level camera, and the sun is beside it.
+void apply_look(const ChosenLook& chosen, Scene& scene)
+{
+    scene.colouring = chosen.colouring;
+    scene.look = chosen.values;
+    const LookValues* look = look_of(scene);
+    if (look == nullptr) return;
+    scene.sky = turned(scene.sky, unit(scene.fractal->flight.upward(scene.eye, scene.up)));
+    scene.sky.sun = sun_at(scene.sky, scene.target - scene.eye, look->sun_height(),
+                           look->sun_azimuth() > 0 ? look->sun_azimuth() : beside);
 }
 
 // Returns the format for a file name. `commented`: the name comes from a parameter file, from a line that ends with a
@@ -179,6 +192,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     for (const std::string& warning : parameters.warnings) say("{}\n", printable(warning));
     Scene& scene = parameters.scene;
     apply_size(options, scene);
+    if (options.look) apply_look(*options.look, scene);
     scene.conservative = options.conservative;
     if (options.samples == 0) options.samples = parameters.super_sampling ? 2 : 1;
     scene.projection = options.projection;
@@ -197,7 +211,7 @@ int render_program(const Registry& registry, const char* program, const char* fr
     const Drawing drawing = drawing_of(options, scene);
     check_image_size(format, drawing.region.width / options.samples, drawing.region.height / options.samples);
     refuse_shared_files({{"the picture", output}, {"--stats", options.stats}},
-                        {{"the parameter file", options.parameters}});
+                        {{"the parameter file", options.parameters}, {"--look", options.look_file}});
     OutputFile::check(output);
     if (!options.stats.empty()) OutputFile::check(options.stats);
     check_memory(drawing, format, OutputFile::is_stream(output));

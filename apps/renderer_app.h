@@ -27,6 +27,8 @@ struct RenderOptions {
     std::string stats;
     std::string pixel;
     std::string without;
+    std::optional<ChosenLook> look;
+    std::string look_file;  // --look, if it names a file
     bool conservative = false;
     Projection projection = Projection::perspective;
     double eyes = 0;

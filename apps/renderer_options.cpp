@@ -29,7 +29,7 @@ void refuse_unused(const CLI::App& app, const RenderOptions& options)
     }
     if (options.list_devices) refuse_others(app, "--list-devices", {"--list-devices"});
     if (options.list_fractals) refuse_others(app, "--list-fractals", {"--list-fractals", "--json"});
-    std::vector<std::string> taken{"PARAMS",     "--fractal",   "--size", "--projection",
+    std::vector<std::string> taken{"PARAMS",     "--fractal",   "--size", "--projection", "--look",
                                    "--estimate", "--precision", "--mode", "--without"};
     if (options.print_scene) {
         taken.emplace_back("--print-scene");
@@ -62,6 +62,7 @@ RenderOptions parse_options(const char* program, const char* fractal, const Regi
     add_precision_options(app, options.renderer);
     add_estimate_option(app, options.conservative);
     add_projection_option(app, options.projection);
+    add_look_option(app, options.look, options.look_file, "colouring type of PARAMS");
     app.add_option("--eyes", options.eyes, "render side-by-side stereo with this eye distance, in scene units")
         ->check(real(0, 1e6));
     app.add_option("--size", options.size, "WxH in pixels, 720p, 1080p, 4k or 8k (default: from PARAMS)");

@@ -119,7 +119,11 @@ Json json_of(const Layout& k)
             {"forward", of(k.forward)},
             {"across", of(k.across)},
             {"upward", of(k.upward)},
-            {"sun", of(k.sun)}};
+            {"sun", of(k.sun)},
+            {"sky_west", of(k.sky_west)},
+            {"sky_up", of(k.sky_up)},
+            {"sky_north", of(k.sky_north)},
+            {"grain", of(k.grain)}};
 }
 
 }  // namespace
@@ -146,7 +150,7 @@ std::string fractals_json()
                       {"looks", built_in_looks()},
                       {"max_iterations", max_iterations},
                       {"max_field", max_field_of_view},
-                      {"sun", of(Scene{}.sun)}}},
+                      {"sun", of(Scene{}.sky.sun)}}},
                     {"fractals", rows}};
     return json.dump(2) + "\n";
 }

@@ -122,8 +122,8 @@ std::vector<NamedScene> odd_scenes()
     }
     for (const Fractal& fractal : fractals()) {
         Scene scene = official_scene(fractal, 47, 33);
-        scene.sun = {-0.6, 0.8, 0};
-        scenes.add(fmt::format("{}, another sun", fractal.short_name), scene).colouring = 2;
+        scene.sky = {.up = {0.36, 0.8, 0.48}, .north = {0.8, 0, -0.6}, .sun = {-0.6, 0.8, 0}};
+        scenes.add(fmt::format("{}, another sky", fractal.short_name), scene).colouring = 2;
         scene.projection = Projection::equirectangular;
         scenes.add(fmt::format("{}, all directions", fractal.short_name), scene);
         scene.centred = true;
@@ -131,6 +131,7 @@ std::vector<NamedScene> odd_scenes()
         scenes.add(fmt::format("{}, some of all directions", fractal.short_name), scene);
         scene.crop_window = {};
         scene.look = cloudy_look();
+        scene.grainy = true;
         scenes.add(fmt::format("{}, a look of its own", fractal.short_name), scene);
     }
     return scenes.take();

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/os/input_file.h"
 #include "core/text/console.h"
 #include "core/text/number.h"
 
@@ -181,6 +182,24 @@ void refuse_unheeded(const Registry& registry, const Backend& backend, const Ren
     }
     throw InputError(fmt::format("{}: not supported by backend {}, expected one of {}", option, backend.name(),
                                  fmt::join(heeding, ", ")));
+}
+
+void add_look_option(CLI::App& app, std::optional<ChosenLook>& look, std::string& file, const std::string& usual)
+{
+    const auto set = [&](const std::string& text) {
+        if (parse_whole(text)) {
+            look = {.colouring = whole_option("look", text, 0, colouring_types - 1)};
+            return;
+        }
+        for (int type = 2; type < colouring_types; ++type) {
+            if (text != colouring_names.at(static_cast<std::size_t>(type))) continue;
+            look = {.colouring = type};
+            return;
+        }
+        file = text;
+        look = {.colouring = 2, .values = parse_look(text_of_file(text, "look file"), text)};
+    };
+    app.add_option_function<std::string>("--look", set, "look: number, name or file (default: " + usual + ")");
 }
 
 const Backend& chosen_backend(const Registry& registry, const std::string& name, bool tells,

@@ -123,6 +123,10 @@ inline void add_projection_option(CLI::App& app, Projection& projection)
                "perspective, or equirectangular (all directions, 360 x 180 degrees)");
 }
 
+// Adds --look, whose value is the number or name of a colouring type, or a look file; `file` then receives its name.
+// `usual`: the default, in words for the help.
+void add_look_option(CLI::App& app, std::optional<ChosenLook>& look, std::string& file, const std::string& usual);
+
 inline void add_precision_options(CLI::App& app, RendererOptions& options)
 {
     add_choice(app, "--precision", options.precision, {{"double", Precision::f64}, {"float", Precision::f32}},

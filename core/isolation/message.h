@@ -108,12 +108,13 @@ requires std::is_same_v<std::remove_const_t<SceneOrConst>, Scene>
 void transfer(Archive& archive, SceneOrConst& scene)
 {
     auto& [fractal, eye, target, up, field_of_view, width, height, detail, shape, iterations, escape, colouring,
-           brightness, image_file, conservative, smooth, centred, projection, sun, look, limits, crop_window] = scene;
+           brightness, image_file, conservative, smooth, grainy, centred, projection, sky, look, limits, crop_window] =
+        scene;
     auto& [step_factor, root_share, tried] = limits;
     auto& [left, bottom, whole_width, whole_height] = crop_window;
     archive(fractal, eye, target, up, field_of_view, width, height, detail, shape, iterations, escape, colouring,
-            brightness, image_file, conservative, smooth, centred, projection, sun, look, step_factor, root_share,
-            tried, left, bottom, whole_width, whole_height);
+            brightness, image_file, conservative, smooth, grainy, centred, projection, sky, look, step_factor,
+            root_share, tried, left, bottom, whole_width, whole_height);
 }
 
 template <class Archive, class DeviceOrConst>

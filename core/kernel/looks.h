@@ -95,7 +95,8 @@ FN vec3 sky(Scene scene, vec3 direction)
 {
     // The sky is brighter at the horizon and darker above and below. The sun has a wide and a narrow halo, and the
     // horizon can glow, most below the sun.
-    real low = 1 - direction.y * direction.y;
+    real rise = dot3(direction, splat(scene.sky_up));
+    real low = 1 - rise * rise;
     low = low * low;
     low = low * low;
     real towards_sun = dot3(direction, splat(scene.sun));
@@ -123,9 +124,9 @@ FN real wave(real x)
 // An octave is a product of two waves at right angles; each wave is bent by the other and by the sum so far.
 FN real clouds(Scene scene, vec3 direction)
 {
-    real height = larger(direction.y, 0);
-    real u = quotient(direction.x, height + R(0.15)) + 3;
-    real v = quotient(direction.z, height + R(0.15)) + 5;
+    real height = larger(dot3(direction, splat(scene.sky_up)), 0);
+    real u = quotient(dot3(direction, splat(scene.sky_west)), height + R(0.15)) + 3;
+    real v = quotient(dot3(direction, splat(scene.sky_north)), height + R(0.15)) + 5;
     // Turned into the wind, and drawn out along it.
     real x = R(0.19) * (R(0.8) * u + R(0.6) * v);
     real y = R(0.55) * (R(0.8) * v - R(0.6) * u);
@@ -166,6 +167,15 @@ FN real displayed(Scene scene, real light)
 {
     real x = exposure(scene) * scene.brightness * light;
     return root(saturated(quotient(x * (R(2.51) * x + R(0.03)), x * (R(2.43) * x + R(0.59)) + R(0.14))));
+}
+
+// Returns a displayed colour with a noise of half of 1/255, which hides the steps between bytes in a smooth sky. It
+// depends on the direction only (Jimenez, "Next generation post processing in Call of Duty", SIGGRAPH 2014 course).
+FN vec3 grained(Scene scene, vec3 colour, vec3 direction)
+{
+    real place = dot3(direction, splat(scene.grain));
+    real noise = R(52.9829189) * (place - nearest(place));
+    return along(colour, vec3(1, 1, 1), R(0.00392156862745098) * (noise - nearest(noise)));
 }
 
 struct Look {
@@ -218,8 +228,9 @@ FN Lighting lighting(Scene scene, vec3 direction, vec3 n, real t, Occlusion foun
     real shelter = found.along_normal * (R(0.35) + R(0.65) * found.along_normal);
     Lighting at;
     // Adds light from the sky, the ground and the sun, and a little from the camera.
-    at.light = times(shelter * (R(0.55) + R(0.45) * n.y), sky_light(scene));
-    at.light = along(at.light, ground_light(scene), shelter * (R(0.5) - R(0.5) * n.y));
+    real rise = dot3(n, splat(scene.sky_up));
+    at.light = times(shelter * (R(0.55) + R(0.45) * rise), sky_light(scene));
+    at.light = along(at.light, ground_light(scene), shelter * (R(0.5) - R(0.5) * rise));
     at.light = along(at.light, sun_light(scene), key);
     at.light = along(at.light, camera_light(scene), shelter * facing);
     // Adds a lamp at the camera: its light decreases with the distance, and surfaces at grazing angles stay dark.

@@ -36,6 +36,11 @@ struct Scene {
     triple across;   // from the centre to the right edge, at distance 1; equirectangular: length of that arc
     triple upward;   // from the centre to the top edge, at distance 1; equirectangular: length of that arc
     triple sun;      // unit vector towards the sun, used by looks
+    // Axes of the sky, unit vectors, used by looks. The horizon is at right angles to sky_up.
+    triple sky_west;
+    triple sky_up;
+    triple sky_north;
+    triple grain;  // the noise of skies, see grained() in looks.h; 0: none
 };
 
 // A ray that is being marched. It can be stored after any step, and another pass can continue it.

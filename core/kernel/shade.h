@@ -116,7 +116,9 @@ FN Pixel missed(Scene scene, Hit hit)
 {
     Pixel pixel;
     pixel.colour = vec3(R(0.4), R(0.4), R(0.4));
-    if (has_look(scene) != 0) pixel.colour = displayed3(scene, backdrop(scene, hit.direction));
+    if (has_look(scene) != 0) {
+        pixel.colour = grained(scene, displayed3(scene, backdrop(scene, hit.direction)), hit.direction);
+    }
     pixel.depth = scene.miss;
     pixel.steps = hit.steps;
     pixel.de_calls = hit.de_calls;

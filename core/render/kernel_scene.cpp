@@ -30,7 +30,7 @@ constexpr bool layout_is_portable()
     constexpr std::size_t real = sizeof(Layout::tolerance);
     return offsetof(Layout, tolerance) == 32 && offsetof(Layout, fractal) == 32 + 15 * real &&
            offsetof(Layout, look) == 32 + 28 * real && offsetof(Layout, eye) == 32 + 96 * real &&
-           sizeof(Layout) == 32 + 116 * real;
+           sizeof(Layout) == 32 + 132 * real;
 }
 static_assert(layout_is_portable<layout_f64::Scene>() && layout_is_portable<layout_f32::Scene>());
 
@@ -84,6 +84,12 @@ void put_camera(const Scene& scene, Layout& k)
                  scene.centred);
     const Side y(crop_window.bottom, scene.height,
                  crop_window.whole_height > 0 ? crop_window.whole_height : scene.height, scene.centred);
+    if (scene.grainy) {
+        const auto per_pixel = [](double whole, Vector side) { return whole / (2 * dot(side, side)) * side; };
+        // The periods of the noise per pixel to the right and upwards are those of its author.
+        assign(k.grain, 0.06711056 * per_pixel(scene.width / x.half, camera.across) +
+                            0.00583715 * per_pixel(scene.height / y.half, camera.upward));
+    }
     if (scene.projection == Projection::equirectangular) {
         const double longitudes = std::numbers::pi * x.half;
         const double latitudes = std::numbers::pi / 2 * y.half;
@@ -101,7 +107,10 @@ void put_camera(const Scene& scene, Layout& k)
     assign(k.forward, camera.forward);
     assign(k.across, camera.across);
     assign(k.upward, camera.upward);
-    assign(k.sun, scene.sun);
+    assign(k.sun, scene.sky.sun);
+    assign(k.sky_west, cross(scene.sky.up, scene.sky.north));
+    assign(k.sky_up, scene.sky.up);
+    assign(k.sky_north, scene.sky.north);
 }
 
 }  // namespace

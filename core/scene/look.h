@@ -25,6 +25,7 @@ inline constexpr std::array two_factors{light, light};
 inline constexpr std::array one_share{share};
 inline constexpr std::array exposure{LookRange{0.01, 100}};
 inline constexpr std::array height{LookRange{0, 90}};
+inline constexpr std::array azimuth{LookRange{0, 360}};
 }  // namespace look_ranges
 
 // An entry of a look file: a name and one or more numbers.
@@ -48,8 +49,8 @@ inline constexpr std::array look_entries{
     LookEntry{"horizon_glow", look_ranges::factor}, LookEntry{"clouds", look_ranges::one_share},  // cover
     LookEntry{"haze", look_ranges::one_share},  // share of the haze in the colour of the farthest surfaces
     LookEntry{"exposure", look_ranges::exposure},
-    LookEntry{"sun_height", look_ranges::height},      // degrees above the horizon
-    LookEntry{"sun_follows", look_ranges::one_share},  // over 0: in films, the sun turns with the camera
+    LookEntry{"sun_height", look_ranges::height},    // degrees above the horizon
+    LookEntry{"sun_azimuth", look_ranges::azimuth},  // degrees to the right of the direction of view; 0: not given
 };
 
 // Returns the place of an entry's first number. For a name that is no entry, returns the count of all numbers.
@@ -67,8 +68,8 @@ inline constexpr std::size_t kernel_look_numbers = place_in_look("sun_height");
 struct LookValues {
     std::array<double, place_in_look("")> numbers{};
 
-    double sun_height() const { return numbers[place_in_look("sun_height")]; }  // degrees
-    bool sun_follows() const { return numbers[place_in_look("sun_follows")] > 0; }
+    double sun_height() const { return numbers[place_in_look("sun_height")]; }    // degrees
+    double sun_azimuth() const { return numbers[place_in_look("sun_azimuth")]; }  // degrees; 0: not given
     bool operator==(const LookValues&) const = default;
 };
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "core/scene/fractal.h"
@@ -35,6 +37,21 @@ void check_scene(const Scene& scene, const std::function<std::string(Item)>& whe
                              "scale under 1 wants few iterations)");
         }
     }
+}
+
+Sky turned(const Sky& sky, Vector up)
+{
+    const double both = std::max(1 + dot(sky.up, up), 1e-9);  // 0 for opposite directions
+    return {up, unit(sky.north - dot(sky.north, up) / both * (sky.up + up)), sky.sun};
+}
+
+Vector sun_at(const Sky& sky, Vector ahead, double height, double azimuth)
+{
+    constexpr double degree = std::numbers::pi / 180;
+    const Vector west = cross(sky.up, sky.north);
+    const double heading = std::atan2(dot(ahead, west), dot(ahead, sky.north)) - azimuth * degree;
+    const Vector level = std::sin(heading) * west + std::cos(heading) * sky.north;
+    return std::cos(height * degree) * level + std::sin(height * degree) * sky.up;
 }
 
 const LookValues* look_of(const Scene& scene)

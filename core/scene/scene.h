@@ -29,6 +29,12 @@ inline constexpr std::array<std::string_view, 5> colouring_names{"normals as RGB
 inline constexpr int colouring_types = static_cast<int>(colouring_names.size());
 inline constexpr int default_look = 3;  // the colouring type of films, and of explore at its first start
 
+// A look that replaces a scene's: a colouring type and, for a look file, its numbers.
+struct ChosenLook {
+    int colouring = default_look;
+    std::optional<LookValues> values = std::nullopt;
+};
+
 // The original program's step factor.
 inline constexpr double plain_step_factor = 0.95;
 
@@ -56,6 +62,14 @@ struct CropWindow {
     bool operator==(const CropWindow&) const = default;
 };
 
+// The directions of a look's sky, as unit vectors.
+struct Sky {
+    Vector up{0, 1, 0};           // at right angles to the horizon
+    Vector north{0, 0, 1};        // at right angles to up; the clouds turn with it
+    Vector sun{0.48, 0.64, 0.6};  // towards the sun
+    bool operator==(const Sky&) const = default;
+};
+
 struct Scene {
     const Fractal* fractal = nullptr;
     Vector eye{7, 7, 7};
@@ -74,9 +88,10 @@ struct Scene {
     // The following are not in the parameter file, because the original program does not have them.
     bool conservative = false;  // use the fractal's conservative estimate
     bool smooth = false;        // normals ignore details smaller than a tolerance
+    bool grainy = false;        // the sky of a look has a noise that hides the steps between bytes
     bool centred = false;       // rays go through the centres of the pixels; false: through their lower left corners
     Projection projection = Projection::perspective;
-    Vector sun{0.48, 0.64, 0.6};     // unit vector towards the sun, for looks
+    Sky sky;
     std::optional<LookValues> look;  // replaces the look of the colouring type
     StepLimits limits;
     CropWindow crop_window;
@@ -92,6 +107,13 @@ inline constexpr int item_count = 11;
 // the view, or the fractal cannot be computed with these constants. The message begins with where(entry), the place of
 // the entry.
 void check_scene(const Scene& scene, const std::function<std::string(Item)>& where);
+
+// Returns the sky, turned the shortest way until `up` is its upward direction; its sun is not turned.
+Sky turned(const Sky& sky, Vector up);
+
+// Returns the direction of a sun, in degrees `height` above the horizon and `azimuth` to the right of the direction
+// `ahead`, which need not be level.
+Vector sun_at(const Sky& sky, Vector ahead, double height, double azimuth);
 
 // Returns the look of a scene; nullptr if its colouring is not a look.
 const LookValues* look_of(const Scene& scene);

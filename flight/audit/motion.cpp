@@ -114,8 +114,9 @@ Row level_row(const Path& path)
 {
     std::size_t horizons = 0;
     std::size_t held = 0;
-    for (const Frame& frame : path.frames) {
-        const Tilt tilt = tilt_of(frame, *path.scene.fractal);
+    const std::vector<Sky> skies = skies_of(path);
+    for (std::size_t i = 0; i < skies.size(); ++i) {
+        const Tilt tilt = tilt_of(path.frames[i], skies[i].up);
         if (tilt.horizon < some_horizon) continue;
         ++horizons;
         held += std::abs(tilt.angle) < level * std::numbers::pi / 180 ? 1 : 0;

@@ -49,6 +49,7 @@ std::string description_of(const Path& path, const Backend& backend, const Pictu
     nlohmann::ordered_json json{
         {"path", digest(to_text(path))},
         {"frames", path.frames.size()},
+        {"every", path.every},
         {"width", picture.width},
         {"height", picture.height},
         {"samples", picture.samples},

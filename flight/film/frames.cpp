@@ -34,7 +34,7 @@ Frame looking_everywhere(const Path& path, Frame frame)
     return frame;
 }
 
-constexpr int directions = 24;            // number of candidate directions for the sun
+constexpr double direction_pitch = 15;    // degrees from one candidate direction for the sun to the next
 constexpr std::size_t frames_apart = 30;  // frames from one compared frame to the next
 constexpr double against = 0.5;           // weight of a sun in front of the camera; one behind it has weight 1
 
@@ -45,38 +45,32 @@ double worth(Vector sun, Vector gaze)
     return (1 - cosine * cosine) * (cosine > 0 ? against : 1);
 }
 
-// Returns a unit vector at this height above the horizon. Both angles are in radians.
-Vector sun_at(double height, double azimuth)
+// Returns the azimuth, to the right of north, of a sun that stands still in the sky of the whole film. It is chosen so
+// that most frames are lit from the side, which shows relief best, and rather from behind the camera than from the
+// front.
+double steady_azimuth(const Path& path, double height, const std::vector<Sky>& skies)
 {
-    return {std::cos(height) * std::sin(azimuth), std::sin(height), std::cos(height) * std::cos(azimuth)};
-}
-
-// Returns the direction of a sun that shines in the whole film. It is chosen so that most frames are lit from the side,
-// which shows relief best, and rather from behind the camera than from the front.
-Vector steady_sun(const Path& path, double height)
-{
-    Vector best = sun_at(height, 0);
+    double best = 0;
     double most = 0;
-    for (int i = 0; i < directions; ++i) {
-        const Vector sun = sun_at(height, 2 * std::numbers::pi * i / directions);
+    for (double azimuth = 0; azimuth < 360; azimuth += direction_pitch) {
         double sum = 0;
         for (std::size_t frame = 0; frame < path.frames.size(); frame += frames_apart) {
+            const Vector sun = sun_at(skies[frame], skies[frame].north, height, azimuth);
             sum += worth(sun, unit(path.frames[frame].target - path.frames[frame].eye));
         }
         if (sum > most) {
             most = sum;
-            best = sun;
+            best = azimuth;
         }
     }
     return best;
 }
 
-constexpr double window = 20;      // seconds; gazes of frames at most this far away turn the sun of a frame
-constexpr double beside_it = 110;  // degrees from the mean gaze to the sun, to the right
+constexpr double window = 20;  // seconds; gazes of frames at most this far away turn the sun of a frame
 
-// Returns the direction of a sun that turns with the way: it is beside the mean gaze of the frames near `frame`, a
-// little behind it. Frames count less the farther away they are, so that the sun moves smoothly.
-Vector following_sun(const Path& path, double height, std::size_t frame)
+// Returns the sum of the gazes of the frames near `frame`. Frames count less the farther away they are, so that a sun
+// beside it moves smoothly.
+Vector mean_gaze(const Path& path, std::size_t frame)
 {
     const auto second = static_cast<std::size_t>(path.frames_per_second);
     const double reach = window * path.frames_per_second;
@@ -85,13 +79,18 @@ Vector following_sun(const Path& path, double height, std::size_t frame)
         const double weight = 1 - std::abs(static_cast<double>(i) - static_cast<double>(frame)) / reach;
         if (weight > 0) mean = mean + weight * unit(path.frames[i].target - path.frames[i].eye);
     }
-    return sun_at(height, std::atan2(mean.x, mean.z) - beside_it * std::numbers::pi / 180);
+    return mean;
 }
 
-Vector sun_of(const Path& path, const LookValues& look, std::size_t frame)
+// Returns a frame's sky. `turns`: false for a sky whose upward direction is always y.
+Sky sky_of(const Path& path, std::size_t frame, const LookValues& look, bool turns)
 {
-    const double height = look.sun_height() * std::numbers::pi / 180;
-    return look.sun_follows() ? following_sun(path, height, frame) : steady_sun(path, height);
+    const std::vector<Sky> skies = turns ? skies_of(path) : std::vector<Sky>(path.frames.size());
+    Sky sky = skies[frame];
+    const double height = look.sun_height();
+    sky.sun = look.sun_azimuth() > 0 ? sun_at(sky, mean_gaze(path, frame), height, look.sun_azimuth())
+                                     : sun_at(sky, sky.north, height, steady_azimuth(path, height, skies));
+    return sky;
 }
 
 int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }
@@ -149,12 +148,12 @@ Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
     scene.projection = picture.projection;
     scene.width = samples_along(picture.width, picture.samples);
     scene.height = samples_along(picture.height, picture.samples);
-    scene.centred = true;
+    scene.centred = scene.grainy = true;
     if (picture.look) {
         scene.colouring = picture.look->colouring;
         scene.look = picture.look->values;
     }
-    if (const LookValues* look = look_of(scene)) scene.sun = sun_of(path, *look, frame);
+    if (const LookValues* look = look_of(scene)) scene.sky = sky_of(path, frame, *look, !everywhere);
     return scene;
 }
 

@@ -14,12 +14,6 @@
 
 namespace mandelmarch {
 
-// A look that replaces the path's: a colouring type, and, for a look file, its numbers.
-struct ChosenLook {
-    int colouring = default_look;
-    std::optional<LookValues> values = std::nullopt;
-};
-
 struct Picture {
     int width = 1920;    // pixels
     int height = 1080;   // pixels

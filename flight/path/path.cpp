@@ -64,6 +64,20 @@ std::vector<CameraNumbers> bends(const std::vector<CameraNumbers>& values)
     return bend;
 }
 
+constexpr double most_turn = 7.5;  // degrees per second; the sky turns no faster than the planner rolls the camera
+constexpr double delay = 1.5;      // seconds; time constant of turned_towards()
+constexpr double lead = 4;         // seconds by which the sky looks ahead, because it turns late
+
+// Returns the direction `from`, turned towards `to` for `seconds`; the closer they are, the slower it turns.
+Vector turned_towards(Vector from, Vector to, double seconds)
+{
+    if (dot(from, to) < -0.99) to = Vector{0.1, 0.2, 0.3} + to;  // chooses one of many ways
+    const Vector aside = to - dot(to, from) * from;
+    const double share = std::min(1.0, seconds / delay) * std::atan2(length(aside), dot(to, from));
+    const double step = std::min(most_turn * std::numbers::pi / 180 * seconds, share);
+    return unit(std::cos(step) * from + std::sin(step) / std::max(length(aside), 1e-9) * aside);
+}
+
 }  // namespace
 
 Scene scene_of(const Path& path, const Frame& frame, int width, int height)
@@ -111,6 +125,23 @@ Tilt tilt_of(const Frame& frame, Vector upward)
 Tilt tilt_of(const Frame& frame, const Fractal& fractal)
 {
     return tilt_of(frame, fractal.flight.upward(frame.eye, frame.up));
+}
+
+std::vector<Sky> skies_of(const Path& path)
+{
+    const double seconds = static_cast<double>(path.every) / path.frames_per_second;
+    const auto upward = [&](std::size_t i) {
+        const Frame& frame = path.frames[std::min(i, path.frames.size() - 1)];
+        return unit(path.scene.fractal->flight.upward(frame.eye, frame.up));
+    };
+    Vector aim = upward(0);
+    std::vector<Sky> skies{turned({}, aim)};
+    while (skies.size() < path.frames.size()) {
+        // Turning twice makes the speed change smoothly.
+        aim = turned_towards(aim, upward(skies.size() + static_cast<std::size_t>(lead / seconds)), seconds);
+        skies.push_back(turned(skies.back(), turned_towards(skies.back().up, aim, seconds)));
+    }
+    return skies;
 }
 
 Frame rolled(Frame frame, double angle)

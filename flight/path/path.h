@@ -38,6 +38,7 @@ struct Path {
     Scene scene;  // shared by all frames, including the kind of estimate; its camera and size are unused
     std::uint64_t seed = 0;
     int frames_per_second = mandelmarch::frames_per_second;
+    int every = 1;  // number of the flight's frames for each of these, if they are a quick motion; not in a path file
     bool detail_by_size = true;  // the detail level follows from the picture size; false: from scene.detail
     std::vector<Frame> frames;
 };
@@ -75,6 +76,10 @@ struct Tilt {
 Tilt tilt_of(const Frame& frame, Vector upward);
 // Returns the tilt of a frame, with the upward direction that the fractal defines at the frame's eye.
 Tilt tilt_of(const Frame& frame, const Fractal& fractal);
+
+// Returns the sky of each frame, with the sun of a still. Its horizon follows the direction by which the camera is
+// levelled, which the fractal defines at the frame's eye, but slowly.
+std::vector<Sky> skies_of(const Path& path);
 
 // Returns the frame with its camera rolled about its gaze by `angle` radians (right-hand rule).
 Frame rolled(Frame frame, double angle);

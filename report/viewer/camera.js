@@ -56,6 +56,7 @@ function sceneFields({ rules, rows }, fractal, s, camera, width, height, fast, m
         relaxation: fast && step_factor >= rules.plain_step_factor ? rules.longest_relaxed : step_factor, end: rules.end, miss: Infinity,
         brightness: s.brightness, look: rules.looks[s.colouring], root_share: row.root_share, fractal: row.constants(...inputs),
         longitude: 0, longitudes: 0, latitude: 0, latitudes: 0, sun: rules.sun,
+        sky_west: [1, 0, 0], sky_up: [0, 1, 0], sky_north: [0, 0, 1], grain: [0, 0, 0],
         eye: camera.eye, forward: camera.forward,
         across: Vec.scale(width / height * tangent, camera.right), upward: Vec.scale(tangent, camera.up) };
 }

@@ -51,6 +51,16 @@ TEST(Level, IsTheNearestAxisOfABox)
     for (const Frame& frame : path.frames) EXPECT_GT(unit(frame.up).z, 0.7);
 }
 
+// The camera is level at all times, but its upward direction jumps, and the sky cannot follow.
+TEST(Level, IsThatOfTheDrawnHorizon)
+{
+    Path path = round("box");
+    for (std::size_t i = 0; i < path.frames.size(); ++i) {
+        path.frames[i].up = i / 100 % 2 == 0 ? Vector{0, 0, 1} : Vector{0, 0, -1};
+    }
+    EXPECT_LT(level_share(path), 75);
+}
+
 TEST(Level, IsTakenSlowly)
 {
     Path path = round("bulb");

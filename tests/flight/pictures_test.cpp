@@ -149,28 +149,36 @@ TEST(Softened, LeavesAnEvenPictureEven)
 
 constexpr int frames = 1800;  // a minute
 
-// Returns a flight whose gaze turns by 90 degrees.
-Path turning()
+// Returns a flight over the pole y of a fractal. Its gaze turns by 90 degrees.
+Path turning(const std::string& fractal = "bulb")
 {
     Path path;
-    path.scene = official_scene(fractal_named("mandelbulb"), 16, 9);
+    path.scene = official_scene(fractal_named(fractal), 16, 9);
     for (int i = 0; i < frames; ++i) {
         const double angle = std::numbers::pi / 2 * i / frames;
-        Frame frame;
-        frame.eye = {3, 0, 0};
-        frame.target = frame.eye + Vector{std::sin(angle), 0, std::cos(angle)};
-        frame.up = {0, 1, 0};
-        frame.field_of_view = 1;
-        path.frames.push_back(frame);
+        const Vector eye{0, 3, 0};
+        path.frames.push_back({eye, eye + Vector{std::sin(angle), 0, std::cos(angle)}, {0, 1, 0}, 1, {}});
     }
     return path;
 }
 
-Vector sun_in(const Path& path, std::size_t frame, const std::string& more)
+// Returns a flight around a Mandelbulb, with the fractal below.
+Path rounding()
+{
+    Path path = turning();
+    for (Frame& frame : path.frames) {
+        const double angle = 3 * std::asin(frame.target.x);
+        const Vector up{std::sin(angle), std::cos(angle), 0};
+        frame = {3.0 * up, 3.0 * up + cross({0, 0, 1}, up), up, 1, {}};
+    }
+    return path;
+}
+
+Sky sky_in(const Path& path, std::size_t frame, const std::string& more = "")
 {
     Picture picture;
     picture.look = {.colouring = 2, .values = parse_look("exposure 1\nsun_height 30\n" + more, "a.look")};
-    return frame_scene(path, frame, picture).sun;
+    return frame_scene(path, frame, picture).sky;
 }
 
 double degrees_between(Vector a, Vector b) { return std::acos(std::min(1.0, dot(a, b))) * 180 / std::numbers::pi; }
@@ -178,30 +186,45 @@ double degrees_between(Vector a, Vector b) { return std::acos(std::min(1.0, dot(
 TEST(Sun, TurnsWithTheWayOnlyIfTheLookRequiresIt)
 {
     const Path path = turning();
-    EXPECT_EQ(sun_in(path, 0, ""), sun_in(path, frames - 1, ""));
-    EXPECT_GT(degrees_between(sun_in(path, 0, "sun_follows 1"), sun_in(path, frames - 1, "sun_follows 1")), 30);
+    EXPECT_EQ(sky_in(path, 0), sky_in(path, frames - 1));
+    EXPECT_GT(degrees_between(sky_in(path, 0, "sun_azimuth 110").sun, sky_in(path, frames - 1, "sun_azimuth 110").sun),
+              30);
 }
 
 TEST(Sun, IsAtTheHeightOfTheLook)
 {
-    for (const char* const more : {"", "sun_follows 1"}) {
-        const Vector sun = sun_in(turning(), 900, more);
-        EXPECT_NEAR(sun.y, 0.5, 1e-12);
-        EXPECT_NEAR(length(sun), 1, 1e-12);
+    for (const char* const more : {"", "sun_azimuth 110"}) {
+        const Sky sky = sky_in(rounding(), 900, more);
+        EXPECT_NEAR(dot(sky.sun, sky.up), 0.5, 1e-12);
+        EXPECT_NEAR(length(sky.sun), 1, 1e-12);
     }
 }
 
 TEST(Sun, MovesSmoothlyAndStaysBesideTheGaze)
 {
     const Path path = turning();
-    Vector before = sun_in(path, 0, "sun_follows 1");
+    Vector before = sky_in(path, 0, "sun_azimuth 110").sun;
     for (std::size_t frame = 1; frame < frames; ++frame) {
-        const Vector sun = sun_in(path, frame, "sun_follows 1");
+        const Vector sun = sky_in(path, frame, "sun_azimuth 110").sun;
         EXPECT_LT(degrees_between(sun, before), 0.2) << frame;
         const Vector gaze = path.frames[frame].target - path.frames[frame].eye;
         EXPECT_NEAR(degrees_between(unit(Vector{sun.x, 0, sun.z}), gaze), 110, 20) << frame;
         EXPECT_GT(dot(sun, cross(gaze, {0, 1, 0})), 0.5) << frame;  // on the right
         before = sun;
+    }
+}
+
+TEST(Sky, TurnsSlowlyAfterTheUpOfALevelCamera)
+{
+    Path jumping = turning("box");
+    for (std::size_t i = frames / 2; i < frames; ++i) jumping.frames[i].up = {0, -1, 0};
+    for (const auto& [path, up] : {std::pair{rounding(), unit(rounding().frames.back().eye)}, {jumping, {0, -1, 0}}}) {
+        const std::vector<Sky> skies = skies_of(path);
+        EXPECT_LT(degrees_between(skies.back().up, up), 5);
+        for (std::size_t i = 1; i < frames; ++i) {
+            EXPECT_LT(degrees_between(skies[i].up, skies[i - 1].up), 0.26) << i;
+            EXPECT_LT(degrees_between(skies[i].north, skies[i - 1].north), 0.26) << i;
+        }
     }
 }
 

@@ -17,6 +17,9 @@ test_pictures() {
     says '^drawing with openmp \('
     same_picture image.bmp again.png
     expect 0 bulb --output /dev/null --stats /dev/null
+    expect 0 bulb --look "$source/scenes/coral.look" --output coral.png
+    expect 0 bulb --look "$source/scenes/dusk.look" --output dusk.png
+    expect 1 "$bin/imgdiff" coral.png dusk.png
     expect 0 "$bin/mandelbulb" --help
     prints 'plus, for each pixel, 3 bytes'
     expect 0 "$bin/mandelbulb" --list-devices

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
 #include "backends/all.h"
+#include "core/image/compare.h"
 #include "core/render/kernel_scene.h"
 #include "core/scene/fractal.h"
 #include "tests/refusal.h"
@@ -21,12 +21,12 @@ std::string error_of(const std::string& text)
     return refusal_of([&] { parse_look(text, "a.look"); });
 }
 
-std::vector<std::uint8_t> picture_of(const Backend& openmp, Scene scene, const LookValues& look)
+Image picture_of(const Backend& openmp, Scene scene, const LookValues& look)
 {
     scene.look = look;
     Image image(scene.width, scene.height, Image::Layers::bytes);
     openmp.create({.precision = Precision::f64, .mode = Mode::exact})->render(scene, image);
-    return {image.bytes().begin(), image.bytes().end()};
+    return image;
 }
 
 TEST(Look, EveryNumberOfTheKernelChangesThePicture)
@@ -37,22 +37,48 @@ TEST(Look, EveryNumberOfTheKernelChangesThePicture)
     scene.colouring = 2;
     const LookValues look = cloudy_look();
     const auto before = picture_of(*openmp, scene, look);
-    EXPECT_EQ(picture_of(*openmp, scene, look), before);
+    EXPECT_TRUE(compare(picture_of(*openmp, scene, look), before).same());
     for (std::size_t i = 0; i < std::size(KernelScene<double>{}.look); ++i) {
         LookValues changed = look;
         changed.numbers.at(i) += 0.3;
-        EXPECT_NE(picture_of(*openmp, scene, changed), before) << "number " << i;
+        EXPECT_FALSE(compare(picture_of(*openmp, scene, changed), before).same()) << "number " << i;
     }
+}
+
+// A Mandelbox is the same after a permutation of its axes, so its picture stays the same if the sky is permuted, too.
+TEST(Look, LightTurnsWithTheSky)
+{
+    const auto openmp = make_openmp_backend();
+    const auto permuted = [](Vector v) { return Vector{v.z, v.x, v.y}; };
+    const Scene scene = official_scene("box", 64, 32);
+    const Image expected = picture_of(*openmp, scene, cloudy_look());
+    Scene turned = scene;
+    for (Vector Scene::*member : {&Scene::eye, &Scene::target, &Scene::up}) turned.*member = permuted(scene.*member);
+    EXPECT_GT(compare(picture_of(*openmp, turned, cloudy_look()), expected).visibly_differing, 1000);
+    turned.sky = {permuted(scene.sky.up), permuted(scene.sky.north), permuted(scene.sky.sun)};
+    EXPECT_LT(compare(picture_of(*openmp, turned, cloudy_look()), expected).visibly_differing, 200);
+}
+
+TEST(Look, GrainChangesManyBytesOfASkyByOne)
+{
+    const auto openmp = make_openmp_backend();
+    Scene scene = official_scene("box", 256, 16);
+    scene.target = 2.0 * scene.eye;
+    const Image plain = picture_of(*openmp, scene, *look_named("lagoon"));
+    scene.grainy = true;
+    const Comparison change = compare(picture_of(*openmp, scene, *look_named("lagoon")), plain);
+    EXPECT_EQ(change.largest, 1);
+    EXPECT_GT(change.differing, change.pixels / 4);
 }
 
 TEST(Look, FileGivesItsNumbers)
 {
     const LookValues look =
-        parse_look("# mine\nexposure 2 # bright\n\r\n\tsurface 0.1 0.2 0.3\r\nsun_follows 1", "a.look");
+        parse_look("# mine\nexposure 2 # bright\n\r\n\tsurface 0.1 0.2 0.3\r\nsun_azimuth 110", "a.look");
     EXPECT_EQ(look.numbers[0], 0.1);
     EXPECT_EQ(look.numbers[2], 0.3);
     EXPECT_EQ(look.numbers[67], 2);
-    EXPECT_TRUE(look.sun_follows());
+    EXPECT_EQ(look.sun_azimuth(), 110);
     EXPECT_EQ(look.sun_height(), 0);
 }
 

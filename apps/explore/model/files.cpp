@@ -50,7 +50,7 @@ void as_file(Scene& scene)
     scene.smooth = plain.smooth;
     scene.centred = plain.centred;
     scene.projection = plain.projection;
-    scene.sun = plain.sun;
+    scene.sky = plain.sky;
     scene.limits = plain.limits;
     scene.crop_window = plain.crop_window;
 }
