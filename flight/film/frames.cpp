@@ -148,7 +148,8 @@ Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
     scene.projection = picture.projection;
     scene.width = samples_along(picture.width, picture.samples);
     scene.height = samples_along(picture.height, picture.samples);
-    scene.centred = scene.grainy = true;
+    scene.centred = true;
+    scene.grainy = picture.format != ImageFormat::exr;
     if (picture.look) {
         scene.colouring = picture.look->colouring;
         scene.look = picture.look->values;
