@@ -33,7 +33,6 @@ test_frame_rates() {
     done
     run 2 render rate.json $small --output rate.gif
     says 'a GIF of 60 frames a second, expected at most 50'
-    run 2 render rate.json $small --fps 24
 }
 
 # Renders some frames of a path, as stills and as a film.
