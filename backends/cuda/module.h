@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/gpu/driver.h"
-#include "core/models/job.h"
+#include "core/models/task.h"
 #include "core/render/backend.h"
 
 // Directives of the assembler for the bytes of an image. cuda: the fat binary of nvcc. hip: a bundle of code

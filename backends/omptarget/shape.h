@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "core/models/job.h"
+#include "core/models/task.h"
 
 namespace mandelmarch::omptarget {
 

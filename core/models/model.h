@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/models/host.h"
-#include "core/models/job.h"
+#include "core/models/task.h"
 #include "core/render/backend.h"
 
 namespace mandelmarch::job {

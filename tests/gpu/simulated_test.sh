@@ -49,7 +49,7 @@ if [ $backend = hip ]; then
     kernels() {
         local folder=$1 file
         for file in "$bin"/../backends/hip/loops_*.cu; do
-            "$compiler" -x c++ -std=c++20 -O1 -ffp-contract=off -fno-math-errno -fno-trapping-math -w -Wno-psabi -fPIC \
+            "$compiler" -x c++ -std=c++17 -O1 -ffp-contract=off -fno-math-errno -fno-trapping-math -w -Wno-psabi -fPIC \
                 "-I$source" -include "$source/tests/gpu/host_words.h" "${@:2}" \
                 -c "$file" -o "$folder/$(basename "$file").o" || return 1
         done
