@@ -51,9 +51,9 @@ public:
     // Loads the kernel on the calling thread's device. NVIDIA's driver translates the PTX for that device, unless the
     // image has its machine code. Throws Unavailable if the image does not suit the driver or the device.
     void load() { static_cast<void>(loaded()); }
-    // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: addresses of the kernel's arguments.
-    // Launches in different streams may run at the same time. Stream 0 is the default stream, in which a launch or a copy
-    // waits for all streams.
+    // Launches at least `threads` threads, rounded up to whole blocks. `arguments`: addresses of the kernel's
+    // arguments. Launches in different streams may run at the same time. Stream 0 is the default stream, in which a
+    // launch or a copy waits for all streams.
     void launch(int threads, std::initializer_list<const void*> arguments, std::size_t stream = 0);
 
 private:

@@ -103,7 +103,8 @@ public:
     {
         return {.title = "OpenMP target directives",
                 .distribution =
-                    "warps that take tiles of 8 x 4 pixels from a queue, with the same kernels as openacc; on the host, its "
+                    "warps that take tiles of 8 x 4 pixels from a queue, with the same kernels as openacc; on the "
+                    "host, its "
                     "threads take them",
                 .has_driver = true,
                 .threads = true,

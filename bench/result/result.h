@@ -54,9 +54,10 @@ struct Picture {
 
 // Parameters of a configuration besides fractal, precision, mode, backend and device.
 struct Setting : Picture {
-    int threads = 0, simd_width = 0, chunk = 0, band = 0, block_size = 0, resident_warps = 0;  // see RendererOptions; 0: automatic
-    std::string without;  // disabled optimisations, as in `render --without`
-    int frames = 0;       // pictures per sample, from a fresh renderer; 0: one picture, from a warm renderer
+    int threads = 0, simd_width = 0, chunk = 0, band = 0, block_size = 0,
+        resident_warps = 0;  // see RendererOptions; 0: automatic
+    std::string without;     // disabled optimisations, as in `render --without`
+    int frames = 0;          // pictures per sample, from a fresh renderer; 0: one picture, from a warm renderer
     bool operator==(const Setting&) const = default;
 
     const Picture& picture() const { return *this; }
@@ -77,18 +78,18 @@ struct Verification {
 
 // Quantities shown in the tables, computed from the samples by derived() (bench/result/figures.h).
 struct Figures {
-    Summary kernel, wall;                       // seconds
+    Summary kernel, wall;                                  // seconds
     double upload = 0, readback = 0, host = 0, trial = 0;  // seconds, medians
     // Fraction of the wall time that upload, host and readback leave unaccounted for; median over the samples. Absent
     // if a sample consists of several pictures from a fresh renderer, because its wall time then has further parts.
     std::optional<double> unaccounted;
-    std::optional<double> joules;                  // energy of a picture, mean over the samples
+    std::optional<double> joules;  // energy of a picture, mean over the samples
     // Per second of kernel time without the trial: pixels, DE evaluations, DE iterations, counted operations.
     double pixel_rate = 0, estimate_rate = 0, iteration_rate = 0;
     std::optional<double> operation_rate;
-    std::optional<double> peak;                    // the platform's peak in this precision, operations per second
-    std::optional<double> share;                   // operation_rate / peak
-    std::optional<double> bound;                   // seconds that the counted operations take at the peak
+    std::optional<double> peak;   // the platform's peak in this precision, operations per second
+    std::optional<double> share;  // operation_rate / peak
+    std::optional<double> bound;  // seconds that the counted operations take at the peak
     // Wall time of the reference, in double and exact mode, for the same picture / this configuration's wall time. For
     // the reference itself: 1, without an interval.
     std::optional<Quotient> speed_up;

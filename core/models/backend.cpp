@@ -115,7 +115,8 @@ private:
                 executor->render_beside(std::move(beside));
             });
             run_schedule(scene, options_.mode, limits, *executor, image, progress);
-            for (std::size_t i = 0; i < small.size(); ++i) others[i].read_back({0, small[i].scene.height}, small[i].image);
+            for (std::size_t i = 0; i < small.size(); ++i)
+                others[i].read_back({0, small[i].scene.height}, small[i].image);
             report.work = executor->work();
         });
         report.timings.context = context_;
@@ -176,7 +177,7 @@ private:
     std::map<DrawKernel*, std::vector<KernelResources>> built_;
     std::unique_ptr<Memory> memory_;
     std::vector<std::unique_ptr<Memory>> beside_;  // of small pictures that are rendered beside another one
-    bool on_device_ = false;  // the buffers are in a device's own memory, not the host's
+    bool on_device_ = false;                       // the buffers are in a device's own memory, not the host's
 };
 
 class JobBackend : public Backend {

@@ -271,7 +271,7 @@ private:
     Memory& memory_;
     Timings& timings_;
     DrawKernel* launch_;
-    Task task_;                           // what is not launched yet
+    Task task_;                          // what is not launched yet
     std::vector<BandExecutor*> beside_;  // their pictures are rendered together with the next band
     KernelArguments<KernelScene<Real>, Real> job_{};
     OnDevice* on_device_ = nullptr;

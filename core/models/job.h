@@ -32,8 +32,8 @@ struct KernelArguments {
 // Threads per GPU thread block.
 inline constexpr int block_threads = 128;
 // Warps of a GPU's multiprocessor that render at once, by default. With fewer, latencies are not hidden; with more, the
-// last rays of a picture share their multiprocessors with others, and take longer. NVIDIA's GPUs of a compute capability
-// below 7.0 have longer latencies, and render with as many warps as they can hold.
+// last rays of a picture share their multiprocessors with others, and take longer. NVIDIA's GPUs of a compute
+// capability below 7.0 have longer latencies, and render with as many warps as they can hold.
 inline constexpr int resident_warps = 16;
 inline constexpr int resident_warps_before_70 = 64;
 inline constexpr int warp_threads = 32;

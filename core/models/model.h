@@ -28,7 +28,7 @@ struct OpenedDevice {
     int threads = 1;
     std::string instruction_set = "scalar";
     std::int64_t pixels_per_band = 1 << 18;
-    int multiprocessors = 0;             // of a GPU
+    int multiprocessors = 0;                   // of a GPU
     int resident_warps = job::resident_warps;  // of a multiprocessor, that render at once
     // True for loops on a CPU that use cells.h, false for threads of a GPU that use threads.h or warps.h.
     bool in_cells = false;

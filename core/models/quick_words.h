@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quick words of fast mode, for models whose device code g++ compiles to PTX. The assembler step (cmake/nvptx_as.in) makes
-// reciprocals, square roots and binary logarithms approximate in this mode, and leaves divisions alone. Has no include
-// guard; include it before core/models/pixels.h and after the definitions that pixels.h needs.
+// Quick words of fast mode, for models whose device code g++ compiles to PTX. The assembler step (cmake/nvptx_as.in)
+// makes reciprocals, square roots and binary logarithms approximate in this mode, and leaves divisions alone. Has no
+// include guard; include it before core/models/pixels.h and after the definitions that pixels.h needs.
 #if defined(MM_MODE_fast) && !defined(MM_EXACT_WORDS)
 #define MM_HAS_QUICK
 #define MM_HAS_ROUGH_LOG

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the warps of a GPU do for a job, in models without operations on the lanes of a warp. If rays begin at the ends of
-// cones, warps march the cones. Then they render pixels until the job's queue is empty (persistent threads: Aila and Laine,
-// "Understanding the efficiency of ray traversal on GPUs", HPG 2009). A warp takes a chunk of pixels, marches their rays with
-// refill, and shades their hits. So all lanes have work while it marches, and again while it shades.
+// What the warps of a GPU do for a job, in models without operations on the lanes of a warp. If rays begin at the ends
+// of cones, warps march the cones. Then they render pixels until the job's queue is empty (persistent threads: Aila and
+// Laine, "Understanding the efficiency of ray traversal on GPUs", HPG 2009). A warp takes a chunk of pixels, marches
+// their rays with refill, and shades their hits. So all lanes have work while it marches, and again while it shades.
 #include "core/models/lanes.h"
 
 // Stores a stopped ray in its pixel's planes, for shade_chunk().
@@ -25,8 +25,8 @@ FN void march_tiles(const KernelArguments* job, int thread, int threads)
     for (int tile = thread; tile < tile_columns(job) * tiles_in(job, job->rows); tile += threads) march_tile(job, tile);
 }
 
-// Takes the next chunk of a queue of which `taken` have been taken. Returns the index of its first pixel; places_of() or more
-// if there is none.
+// Takes the next chunk of a queue of which `taken` have been taken. Returns the index of its first pixel; places_of()
+// or more if there is none.
 FN int taken_chunk(const KernelArguments* job, int* taken)
 {
     // An empty queue keeps its number, so that warps may ask it in any number of launches.
@@ -49,8 +49,8 @@ FN int taken_of_chunk(const KernelArguments* job, int first, int end, int* march
     return at;
 }
 
-// Marches rays of a chunk until none is left, as the other lanes do at the same time. `marched`: 0 before the first lane
-// begins. Stores the stopped rays in the planes.
+// Marches rays of a chunk until none is left, as the other lanes do at the same time. `marched`: 0 before the first
+// lane begins. Stores the stopped rays in the planes.
 FN void march_chunk(const KernelArguments* job, int first, int* marched)
 {
     const int end = end_of_chunk(job, first);

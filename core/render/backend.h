@@ -65,13 +65,13 @@ struct RendererOptions {
     int device = 0;  // index into Backend::devices()
     Precision precision = Precision::f64;
     Mode mode = Mode::exact;
-    int threads = 0;     // for backends on the host's cores; 0: usable_threads() (core/os/cores.h)
-    int simd_width = 0;  // pixels computed at once on a core; 0: the backend's choice
-    int chunk = 0;       // tiles that a host thread takes at a time, only for openmp; 0: the backend's choice
-    int band = 0;        // max pixels per pass of a device; 0: the backend's choice
-    int block_size = 0;  // work items per work group, a multiple of 32; 0: default
+    int threads = 0;         // for backends on the host's cores; 0: usable_threads() (core/os/cores.h)
+    int simd_width = 0;      // pixels computed at once on a core; 0: the backend's choice
+    int chunk = 0;           // tiles that a host thread takes at a time, only for openmp; 0: the backend's choice
+    int band = 0;            // max pixels per pass of a device; 0: the backend's choice
+    int block_size = 0;      // work items per work group, a multiple of 32; 0: default
     int resident_warps = 0;  // warps of a GPU's multiprocessor that render at once; 0: the backend's choice
-    bool counts = true;  // false: RenderStats::work is not needed; openmp then renders fast pictures faster
+    bool counts = true;      // false: RenderStats::work is not needed; openmp then renders fast pictures faster
     Techniques techniques = {};
 };
 
@@ -179,8 +179,8 @@ public:
     // fractal is not supported, Error if the device fails, and Cancelled.
     virtual RenderStats render(const Scene& scene, Image& image, const Progress& progress = {}) = 0;
 
-    // Like render(), but renders up to two small pictures at the same time. Renders nothing and returns nothing if this would
-    // take longer than the picture alone.
+    // Like render(), but renders up to two small pictures at the same time. Renders nothing and returns nothing if this
+    // would take longer than the picture alone.
     virtual std::optional<RenderStats> render_beside(std::span<SmallPicture>, const Scene&, Image&, const Progress&)
     {
         return std::nullopt;

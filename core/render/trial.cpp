@@ -50,7 +50,8 @@ public:
         const double usual = stepping_of(scene, Mode::fast).step_factor;
         // The pictures that a trial compares first.
         std::vector<SmallPicture> first;
-        for (const double step_factor : {usual, next_shorter(usual)}) first.push_back(small_picture(scene, step_factor));
+        for (const double step_factor : {usual, next_shorter(usual)})
+            first.push_back(small_picture(scene, step_factor));
         std::optional<RenderStats> report = renderer_->render_beside(first, with(scene, usual), image, progress);
         // A small picture is a sign of life and can be cancelled, but is no fraction of the picture.
         const Progress of_trial = progress ? Progress([&](double) { progress(0); }) : Progress();

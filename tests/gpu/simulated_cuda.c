@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replaces NVIDIA's driver library (libcuda.so.1), as far as gcc's OpenACC library and the cuda backend use it; with
 // SIMULATED_AMD and options that rename the functions, AMD's (libamdhip64). The GPUs are simulated: they run the
-// kernels of kernels.h, which ptx_to_c.py translates from PTX, one warp after the other. Device memory is host memory. Environment variables describe the GPUs:
+// kernels of kernels.h, which ptx_to_c.py translates from PTX, one warp after the other. Device memory is host memory.
+// Environment variables describe the GPUs:
 //   SIMULATED_GPUS        number of GPUs (default 1)
 //   SIMULATED_CAPABILITY  compute capability (default 35)
 //   SIMULATED_MEMORY      free bytes (default 1 GiB)
@@ -37,7 +38,7 @@ enum { VERSION = 11040, REFUSED = 222, WATCHDOG = 17, RESIDENT_THREADS = 39, MUL
 #endif
 
 int thread_of_launch;  // the index of the thread that runs, for kernels compiled for the host
-static int pending;  // the error that the next synchronization returns
+static int pending;    // the error that the next synchronization returns
 static int current = -1;
 static uint64_t taken;
 static struct {
@@ -79,7 +80,7 @@ int cuDeviceGetAttribute(int* value, int attribute, int device)
         case MULTIPROCESSORS: *value = 15; break;
         case WATCHDOG: *value = (int)number("SIMULATED_WATCHED", 0); break;
         case RESIDENT_THREADS: *value = 2048; break;  // of a multiprocessor
-        case 82: *value = 65536; break;  // registers per multiprocessor
+        case 82: *value = 65536; break;               // registers per multiprocessor
         case 75: *value = (int)number("SIMULATED_CAPABILITY", 35) / 10; break;
         case 76: *value = (int)number("SIMULATED_CAPABILITY", 35) % 10; break;
         default: *value = 1;
@@ -290,8 +291,8 @@ int cuMemcpyDtoDAsync_v2(uint64_t to, uint64_t from, size_t bytes) { return cuMe
 int cuMemcpyDtoDAsync(uint64_t to, uint64_t from, size_t bytes) { return cuMemcpy(to, from, bytes); }
 
 // The warp that runs. Each lane has a stack of its own and runs until the warp's next common operation. It leaves its
-// value there, and goes on when all lanes have left theirs. Values alternate between two arrays, because a lane may leave
-// its next value before another one has read this one.
+// value there, and goes on when all lanes have left theirs. Values alternate between two arrays, because a lane may
+// leave its next value before another one has read this one.
 enum { LANES = 32, STACK = 1 << 20 };
 static struct {
     void (*run)(uint64_t, uint32_t, uint32_t, uint32_t, uint32_t);
@@ -352,7 +353,8 @@ int cuLaunchKernel(void* function, unsigned grid_x, unsigned grid_y, unsigned gr
 {
     (void)shared, (void)stream, (void)extra;
     const unsigned threads = block_x * block_y;
-    if (grid_y * grid_z * block_z != 1 || threads != 128 || threads * number_of_registers() > 65536) return OUT_OF_RESOURCES;
+    if (grid_y * grid_z * block_z != 1 || threads != 128 || threads * number_of_registers() > 65536)
+        return OUT_OF_RESOURCES;
     if (has_fault("launch")) return OUT_OF_RESOURCES;
     if (has_fault("timeout")) return pending = LAUNCH_TIMEOUT, SUCCESS;
     if (has_fault("lost")) return pending = DEVICE_LOST, SUCCESS;

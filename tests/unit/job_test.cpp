@@ -43,7 +43,7 @@ public:
     {
         return {[](std::string_view) -> job::DrawKernel* { return draw; }, nullptr};
     }
-    job::OpenedDevice open(int) const override 
+    job::OpenedDevice open(int) const override
     {
         return {.pixels_per_band = 100, .multiprocessors = multiprocessors_, .resident_warps = 4};
     }

@@ -32,8 +32,7 @@ struct Pictures {
             std::ranges::fill(bytes, static_cast<unsigned char>(0));
             const auto share = static_cast<std::size_t>(off.at(strides.size()));
             strides.push_back(small.scene.limits.step_factor);
-            std::fill_n(bytes.begin(), bytes.size() * share / 1000,
-                        static_cast<unsigned char>(10 * strides.size()));
+            std::fill_n(bytes.begin(), bytes.size() * share / 1000, static_cast<unsigned char>(10 * strides.size()));
         });
     }
 };
