@@ -16,9 +16,9 @@ from ptx_to_c import KERNEL, PEAK, kernels  # noqa: E402
 # For each GPU: its architecture, and the end of the path in build/venv of its assembler, which tools/gpu_packages.txt
 # installs. ptxas 11 is the last one that supports sm_35; ptxas 13 matches NVIDIA's driver 580.
 GPUS = {"K40": ("sm_35", "cuda_nvcc/bin/ptxas"), "H100": ("sm_90", "cu13/bin/ptxas")}
-# Allowed registers per thread, by precision. With this many, a multiprocessor can hold 5 (float) or 3 (double) blocks of
-# 128 threads at once.
-MOST_REGISTERS = {"float": 96, "double": 160}
+# Allowed registers per thread, by precision. With this many registers, a multiprocessor of the K40 can hold 5 (float) or 3
+# (double) blocks of 128 threads at once, and one of the H100 4 or 3.
+MOST_REGISTERS = {"K40": {"float": 96, "double": 168}, "H100": {"float": 104, "double": 168}}
 
 # A floating-point instruction: its name with all suffixes.
 OPERATION = re.compile(r"(?<![\w.%$])([a-z]\w*(?:\.\w+)*\.f(?:32|64)(?:\.\w+)*)(?=\s)")
@@ -160,7 +160,7 @@ def check_assembled(ptx, fractals):
         for name, (registers, _, _) in results.items():
             if PEAK.match(name + "$_omp_fn$0"):
                 continue
-            most = MOST_REGISTERS[re.match(KERNEL, name + "$_omp_fn$0")[3]]
+            most = MOST_REGISTERS[gpu][re.match(KERNEL, name + "$_omp_fn$0")[3]]
             if registers > most:
                 found.append(f"{gpu}: {name}: {registers} registers, {most} expected at most")
     if not spills(resources(ptx.replace(".maxntid 128, 1, 1", ".maxntid 128, 1, 1\n.minnctapersm 16"), "K40")):
