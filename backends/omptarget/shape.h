@@ -26,7 +26,9 @@ inline bool on_cpu(int device)
 #endif
 }
 
-inline constexpr int most_warps = 1 << 14;  // of a launch
+// The warps of a launch, at most. An enumerator, because clang++ wants constants in target regions to be declared
+// there.
+enum { most_warps = 1 << 14 };
 
 // On a GPU, g++ maps a team to a GPU thread block, an OpenMP thread to a warp, and the lanes of `simd` to the warp's 32
 // threads; without `simd`, only one thread of each warp would work. On a CPU, one team uses all cores.
