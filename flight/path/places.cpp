@@ -21,7 +21,7 @@ constexpr std::size_t columns = 10;
 constexpr std::size_t needed = 6;  // the first of the columns; a table may lack the others
 constexpr std::size_t most_places = 1000;
 constexpr std::size_t longest_field = 80;  // bytes of a field in a message
-constexpr std::size_t most_faults = 8;     // in one message
+constexpr std::size_t most_faults = 3;     // in one message
 constexpr double farthest = 1e9;           // largest coordinate
 constexpr double latest = 1e6;             // seconds
 constexpr double least_lens = 0.1, most_lens = 2;
