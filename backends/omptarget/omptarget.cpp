@@ -169,6 +169,10 @@ public:
     {
         copy(to, from, bytes, omp_get_initial_device(), omp_get_default_device());
     }
+    std::shared_ptr<void> lock_memory(std::span<std::uint8_t> memory) const override
+    {
+        return job::locked(job::nvidia_driver(), memory);
+    }
 
 private:
     static void copy(void* to, const void* from, std::size_t bytes, int to_device, int from_device)

@@ -128,6 +128,10 @@ public:
     {
         acc_memcpy_from_device(to, const_cast<void*>(from), bytes);
     }
+    std::shared_ptr<void> lock_memory(std::span<std::uint8_t> memory) const override
+    {
+        return job::locked(job::nvidia_driver(), memory);
+    }
 };
 
 }  // namespace

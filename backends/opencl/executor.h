@@ -214,7 +214,7 @@ private:
 
     Session& session_;
     std::vector<cl::Event> launched_;  // the kernels of the band, for which nothing has waited yet
-    Clock::time_point start_;          // of their launch
+    Clock::time_point start_;          // when the first of them was launched
     cl::Kernel kernel_;
     cl::Kernel cones_;
     int lanes_;

@@ -128,7 +128,7 @@ const Driver& nvidia_driver()
                                        .api = "CUDA",
                                        .libraries = {"libcuda.so.1"},
                                        .version_units = {1000, 10},
-                                       .refusals = {222, 209, 200},  // of PTX, for its version; of machine code
+                                       .refusals = {222, 209, 200},  // unknown version of PTX; no code for the GPU
                                        .multiprocessors = 16,
                                        .resident_threads = 39,
                                        .watchdog = 17});

@@ -84,15 +84,16 @@ std::string version_of(const Driver& driver);
 double seconds_on_gpu(const Driver& driver, const std::function<void()>& launch,
                       const std::function<void()>& wait = {});
 
-// Locks the pages of host memory, so that the calling thread's GPU copies to it without the driver's detour through
-// locked pages of its own. Returns the lock; null if the thread uses none of its GPUs, or if the driver refuses.
+// Locks the pages of host memory. The calling thread's GPU then writes to it directly; otherwise the driver copies
+// every byte once more. Returns the lock; null if the thread does not use a GPU of this driver, or if the driver
+// refuses.
 std::shared_ptr<void> locked(const Driver& driver, std::span<std::uint8_t> memory);
 
 // The size of a GPU. Members are 0 if the driver is missing or does not know them.
 struct GpuSize {
-    int capability = 0;  // compute capability of an NVIDIA GPU, times ten
-    int multiprocessors = 0;
-    int resident_threads = 0;  // of all multiprocessors at once, at most; 0, too, if a watchdog ends long kernels
+    int capability = 0;        // compute capability of an NVIDIA GPU, times ten
+    int multiprocessors = 0;   // their number
+    int resident_threads = 0;  // max number of threads on the GPU at once; also 0 if a watchdog ends long kernels
 };
 GpuSize size_of(const Driver& driver, int index);
 

@@ -126,7 +126,7 @@ private:
     std::unique_ptr<SharedMemory> memory_;
     struct {
         bool used = false;                     // memory_ has had a picture
-        std::size_t bytes = 0;                 // of memory_, from its beginning
+        std::size_t bytes = 0;                 // length of the locked part, which begins where memory_ begins
         std::shared_ptr<void> lock = nullptr;  // null: there is none
     } locked_;
     std::map<int, std::unique_ptr<Renderer>> renderers_;

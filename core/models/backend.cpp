@@ -6,7 +6,6 @@
 #include <mutex>
 #include <new>
 
-#include "core/gpu/driver.h"
 #include "core/models/executor.h"
 #include "core/render/peak.h"
 #include "core/render/spacing.h"
@@ -176,7 +175,7 @@ private:
     double context_;  // seconds
     std::map<DrawKernel*, std::vector<KernelResources>> built_;
     std::unique_ptr<Memory> memory_;
-    std::vector<std::unique_ptr<Memory>> beside_;  // of small pictures that are rendered beside another one
+    std::vector<std::unique_ptr<Memory>> beside_;  // one for each small picture of render_beside()
     bool on_device_ = false;                       // the buffers are in a device's own memory, not the host's
 };
 
@@ -263,10 +262,6 @@ void Model::upload(void* to, const void* from, std::size_t bytes) const { std::m
 void Model::read_back(void* to, const void* from, std::size_t bytes) const { std::memcpy(to, from, bytes); }
 void* Model::allocate_staging(std::size_t bytes) const { return ::operator new(bytes, alignment, std::nothrow); }
 void Model::release_staging(void* address) const { ::operator delete(address, alignment); }
-std::shared_ptr<void> Model::lock_memory(std::span<std::uint8_t> memory) const
-{
-    return locked(nvidia_driver(), memory);
-}
 
 double Model::seconds_of(const std::function<void()>& launch) const
 {

@@ -271,11 +271,11 @@ private:
     Memory& memory_;
     Timings& timings_;
     DrawKernel* launch_;
-    Task task_;                          // what is not launched yet
+    Task task_;                          // the work of the next launch
     std::vector<BandExecutor*> beside_;  // their pictures are rendered together with the next band
     KernelArguments<KernelScene<Real>, Real> job_{};
     OnDevice* on_device_ = nullptr;
-    int warps_ = 0;  // of a multiprocessor, see Task::threads
+    int warps_ = 0;  // number of warps that render at once on a multiprocessor
     Work work_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a lane of a GPU's warp does for its pixel: it takes the pixel from a job's queue, begins its ray, and shades its
-// hit. See core/models/pixels.h; threads.h and warps.h use it.
+// The steps of a lane of a GPU's warp: it takes a pixel from a job's queue, begins the pixel's ray, and shades the
+// ray's hit. See core/models/pixels.h; threads.h and warps.h use it.
 #include "core/models/pixels.h"
 
 // Returns the scene, loaded from memory again.

@@ -28,8 +28,8 @@ struct OpenedDevice {
     int threads = 1;
     std::string instruction_set = "scalar";
     std::int64_t pixels_per_band = 1 << 18;
-    int multiprocessors = 0;                   // of a GPU
-    int resident_warps = job::resident_warps;  // of a multiprocessor, that render at once
+    int multiprocessors = 0;                   // number of a GPU's multiprocessors; 0: unknown
+    int resident_warps = job::resident_warps;  // number of warps that render at once on a multiprocessor
     // True for loops on a CPU that use cells.h, false for threads of a GPU that use threads.h or warps.h.
     bool in_cells = false;
     int peak_threads = 1 << 7;  // threads that measure the multiply-add peak; a multiple of block_threads
@@ -92,9 +92,8 @@ public:
     // exhausted.
     virtual void* allocate_staging(std::size_t bytes) const;
     virtual void release_staging(void* address) const;
-    // Like Renderer::lock_memory(). By default NVIDIA's driver locks it, if the calling thread uses one of its GPUs:
-    // then a run-time library that uses this driver copies at full speed, too.
-    virtual std::shared_ptr<void> lock_memory(std::span<std::uint8_t> memory) const;
+    // Like Renderer::lock_memory().
+    virtual std::shared_ptr<void> lock_memory(std::span<std::uint8_t>) const { return nullptr; }
 };
 
 // Returns a backend that uses the model, and owns it.

@@ -53,8 +53,7 @@ Scene by_short_steps(Scene scene)
 class Comparer {
 public:
     Comparer(const Path& path, const Backend& backend, const RendererOptions& options, const Picture& picture)
-        : path_(path),
-          picture_(picture),
+        : scenes_(path, picture),
           film_(backend.create(by_film_steps(options))),
           truth_(backend.create(by_short_steps(options)))
     {
@@ -64,7 +63,7 @@ public:
     // picture.
     double off(std::size_t frame) const
     {
-        Scene scene = frame_scene(path_, frame, picture_);
+        Scene scene = scenes_.scene(frame);
         scene.crop_window = {.whole_width = scene.width, .whole_height = scene.height};
         FlightRandom random(frame);
         double differing = 0;
@@ -100,8 +99,7 @@ private:
         return image;
     }
 
-    const Path& path_;
-    Picture picture_;
+    FrameScenes scenes_;
     std::unique_ptr<Renderer> film_, truth_;
 };
 

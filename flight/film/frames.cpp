@@ -82,15 +82,13 @@ Vector mean_gaze(const Path& path, std::size_t frame)
     return mean;
 }
 
-// Returns a frame's sky. `turns`: false for a sky whose upward direction is always y.
-Sky sky_of(const Path& path, std::size_t frame, const LookValues& look, bool turns)
+// Returns the direction of a frame's sun.
+Vector sun_of(const Path& path, std::size_t frame, const LookValues& look, const std::vector<Sky>& skies)
 {
-    const std::vector<Sky> skies = turns ? skies_of(path) : std::vector<Sky>(path.frames.size());
-    Sky sky = skies[frame];
+    const Sky& sky = skies[frame];
     const double height = look.sun_height();
-    sky.sun = look.sun_azimuth() > 0 ? sun_at(sky, mean_gaze(path, frame), height, look.sun_azimuth())
-                                     : sun_at(sky, sky.north, height, steady_azimuth(path, height, skies));
-    return sky;
+    return look.sun_azimuth() > 0 ? sun_at(sky, mean_gaze(path, frame), height, look.sun_azimuth())
+                                  : sun_at(sky, sky.north, height, steady_azimuth(path, height, skies));
 }
 
 int samples_along(int pixels, double samples) { return static_cast<int>(std::lround(pixels * samples)); }
@@ -139,22 +137,34 @@ RendererOptions without_trial(RendererOptions options)
     return options;
 }
 
-Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture)
+// In panoramas, whose cameras are upright, the sky's upward direction is always y.
+FrameScenes::FrameScenes(const Path& path, const Picture& picture)
+    : path_(path),
+      picture_(picture),
+      skies_(picture.projection == Projection::equirectangular ? std::vector<Sky>(path.frames.size()) : skies_of(path))
+{
+}
+
+Scene FrameScenes::scene(std::size_t frame) const
 {
     // The detail level is computed from the size in pixels, not in samples, because finer surfaces flicker more.
-    const bool everywhere = picture.projection == Projection::equirectangular;
-    const Frame& flown = path.frames[frame];
-    Scene scene = picture_of(path, everywhere ? looking_everywhere(path, flown) : flown, picture.width, picture.height);
-    scene.projection = picture.projection;
-    scene.width = samples_along(picture.width, picture.samples);
-    scene.height = samples_along(picture.height, picture.samples);
+    const bool everywhere = picture_.projection == Projection::equirectangular;
+    const Frame& flown = path_.frames[frame];
+    Scene scene =
+        picture_of(path_, everywhere ? looking_everywhere(path_, flown) : flown, picture_.width, picture_.height);
+    scene.projection = picture_.projection;
+    scene.width = samples_along(picture_.width, picture_.samples);
+    scene.height = samples_along(picture_.height, picture_.samples);
     scene.centred = true;
-    scene.grainy = picture.format != ImageFormat::exr;
-    if (picture.look) {
-        scene.colouring = picture.look->colouring;
-        scene.look = picture.look->values;
+    scene.grainy = picture_.format != ImageFormat::exr;
+    if (picture_.look) {
+        scene.colouring = picture_.look->colouring;
+        scene.look = picture_.look->values;
     }
-    if (const LookValues* look = look_of(scene)) scene.sky = sky_of(path, frame, *look, !everywhere);
+    if (const LookValues* look = look_of(scene)) {
+        scene.sky = skies_[frame];
+        scene.sky.sun = sun_of(path_, frame, *look, skies_);
+    }
     return scene;
 }
 
@@ -184,7 +194,10 @@ void check_picture(const Picture& picture)
 }
 
 FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, const Path& path, const Picture& picture)
-    : path_(path), picture_(picture), threads_(options.threads), renderer_(backend.create(without_trial(options)))
+    : scenes_(path, picture),
+      picture_(picture),
+      threads_(options.threads),
+      renderer_(backend.create(without_trial(options)))
 {
     check_picture(picture);
     image_ = Image(samples_along(picture.width, picture.samples), samples_along(picture.height, picture.samples),
@@ -193,7 +206,7 @@ FrameMaker::FrameMaker(const Backend& backend, const RendererOptions& options, c
 
 void FrameMaker::render(std::size_t frame)
 {
-    const Scene scene = frame_scene(path_, frame, picture_);
+    const Scene scene = scenes_.scene(frame);
     if (picture_.stereo) {
         const double clearance = DistanceField(scene, 1).distance(scene.eye);
         render_stereo(*renderer_, scene, eyes_distance * clearance, image_);

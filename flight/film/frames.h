@@ -36,9 +36,18 @@ void check_picture(const Picture& picture);
 // Returns the options without trials, which would choose another step factor for each frame of a film.
 RendererOptions without_trial(RendererOptions options);
 
-// Returns the scene of a frame as it is rendered: its width and height are counted in samples, and rays go through the
-// samples' centres.
-Scene frame_scene(const Path& path, std::size_t frame, const Picture& picture);
+// The scenes of a film's frames as they are rendered: width and height are counted in samples, and rays go through the
+// samples' centres. `path` must outlive this object.
+class FrameScenes {
+public:
+    FrameScenes(const Path& path, const Picture& picture);
+    Scene scene(std::size_t frame) const;
+
+private:
+    const Path& path_;
+    Picture picture_;
+    std::vector<Sky> skies_;  // without the suns of looks
+};
 
 class FrameMaker {
 public:
@@ -54,7 +63,7 @@ public:
 private:
     void render(std::size_t frame);
 
-    const Path& path_;
+    FrameScenes scenes_;
     Picture picture_;
     int threads_;
     std::unique_ptr<Renderer> renderer_;

@@ -21,7 +21,6 @@ constexpr std::size_t columns = 10;
 constexpr std::size_t needed = 6;  // the first of the columns; a table may lack the others
 constexpr std::size_t most_places = 1000;
 constexpr std::size_t longest_field = 80;  // bytes of a field in a message
-constexpr std::size_t most_faults = 3;     // in one message
 constexpr double farthest = 1e9;           // largest coordinate
 constexpr double latest = 1e6;             // seconds
 constexpr double least_lens = 0.1, most_lens = 2;
@@ -46,7 +45,7 @@ public:
             read_fields(line);
         } catch (const InputError& fault) {
             if (!below) throw;
-            if (faults_.size() <= most_faults) faults_.emplace_back(fault.what());
+            faults_.emplace_back(fault.what());
         }
     }
 
@@ -54,8 +53,7 @@ public:
     {
         number_ = std::max(number_, 1);
         if (separator_ == 0) fail_head("the table is empty");
-        if (faults_.size() > most_faults) faults_.back() = "and more";
-        if (!faults_.empty()) throw InputError(fmt::format("{}", fmt::join(faults_, "; ")));
+        refuse_faults(faults_);
         if (places_.all.empty()) {
             throw InputError(fmt::format("{}: no places, expected lines below the header", places_.file));
         }
@@ -197,6 +195,17 @@ private:
 };
 
 }  // namespace
+
+void refuse_faults(std::vector<std::string> faults)
+{
+    constexpr std::size_t most = 3;
+    if (faults.empty()) return;
+    if (faults.size() > most) {
+        faults.resize(most);
+        faults.emplace_back("and more");
+    }
+    throw InputError(fmt::format("{}", fmt::join(faults, "; ")));
+}
 
 std::string place_line(const Place& place)
 {

@@ -32,6 +32,9 @@ inline constexpr std::string_view places_header =
 inline constexpr double usual_stay = 2;  // seconds; of a place whose field "stay" is empty
 inline constexpr double most_stay = 4;   // seconds; the audit limits the time for which a camera stands still
 
+// Throws InputError with the first three messages, in one line, unless there are none.
+void refuse_faults(std::vector<std::string> faults);
+
 // Returns a line of a places file, without the end of the line. Its field "second" is empty.
 std::string place_line(const Place& place);
 

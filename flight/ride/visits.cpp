@@ -2,7 +2,6 @@
 #include "flight/ride/visits.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -169,7 +168,7 @@ void check_places(const Places& places, const DistanceField& field, double least
         const std::string fault = fault_of(place, field, least, frames);
         if (!fault.empty()) faults.push_back(fmt::format("{}:{}: {}", places.file, place.line, fault));
     }
-    if (!faults.empty()) throw InputError(fmt::format("{}", fmt::join(faults, "; ")));
+    refuse_faults(std::move(faults));
 }
 
 std::vector<Visit> visits_of(const Places& places, const RoadmapSpan& roads, double least)

@@ -12,7 +12,7 @@
 namespace mandelmarch {
 
 // Throws InputError if no film of `frames` frames can visit the places, whatever its roadmap. The message has the name
-// of the file and, for each place with a fault, its line and the nearest alternative:
+// of the file and, for the first places with a fault, the line and the nearest alternative:
 // - The second of the place is after the film's end.
 // - The place is inside the fractal, or its clearance is less than `least`.
 // - From the place, the picture's middle shows nothing of the fractal.

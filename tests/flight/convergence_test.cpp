@@ -77,7 +77,7 @@ double share_behind(const Backend& openmp, const Place& place, bool conservative
 {
     const Path path = path_at(place, conservative);
     const Picture picture;
-    Scene scene = frame_scene(path, 0, picture);
+    Scene scene = FrameScenes(path, picture).scene(0);
     const double tolerance = std::pow(10.0, scene.detail);
     scene.width = 14;
     scene.height = 8;
@@ -125,7 +125,8 @@ TEST(Film, PixelsOfOneSurfaceShareTheirSurroundings)
     const Registry registry = all_backends();
     const Backend& openmp = *registry.find("openmp");
     RendererOptions options = without_trial({.precision = Precision::f32, .mode = Mode::fast});
-    Scene scene = frame_scene(path_at(places[0], true), 0, {});
+    const Path path = path_at(places[0], true);
+    Scene scene = FrameScenes(path, {}).scene(0);
     scene.crop_window = {.left = 700, .bottom = 400, .whole_width = scene.width, .whole_height = scene.height};
     scene.width = 192;
     scene.height = 108;

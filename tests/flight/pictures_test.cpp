@@ -178,7 +178,7 @@ Sky sky_in(const Path& path, std::size_t frame, const std::string& more = "")
 {
     Picture picture;
     picture.look = {.colouring = 2, .values = parse_look("exposure 1\nsun_height 30\n" + more, "a.look")};
-    return frame_scene(path, frame, picture).sky;
+    return FrameScenes(path, picture).scene(frame).sky;
 }
 
 double degrees_between(Vector a, Vector b) { return std::acos(std::min(1.0, dot(a, b))) * 180 / std::numbers::pi; }
