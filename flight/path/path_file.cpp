@@ -99,10 +99,9 @@ public:
 
     double real(const char* key, const ParameterInfo& meaning) const { return checked(value(key), key, meaning); }
 
-    // Returns a number rounded to single precision, as the reader of parameter files rounds it.
     double single(const char* key, const ParameterInfo& meaning) const
     {
-        return static_cast<float>(real(key, meaning));
+        return checked_single(value(key), key, meaning);
     }
 
     int whole(const char* key, int low, int high) const
@@ -134,7 +133,7 @@ public:
     std::array<double, 3> shape() const
     {
         auto shape = three("shape", fractal_.shape);
-        for (double& s : shape) s = static_cast<float>(s);
+        for (std::size_t i = 0; i < 3; ++i) shape[i] = checked_single(value("shape")[i], "shape", fractal_.shape[i]);
         return shape;
     }
 
@@ -171,6 +170,17 @@ private:
     double checked(const Json& found, const char* key, const ParameterInfo& meaning) const
     {
         const double number = found.is_number() ? found.get<double>() : NAN;
+        return within(number, found, key, meaning);
+    }
+
+    // Returns a number rounded to single precision, as the reader of parameter files rounds it.
+    double checked_single(const Json& found, const char* key, const ParameterInfo& meaning) const
+    {
+        return within(static_cast<float>(checked(found, key, meaning)), found, key, meaning);
+    }
+
+    double within(double number, const Json& found, const char* key, const ParameterInfo& meaning) const
+    {
         const bool fine = number <= meaning.high && (meaning.open_low ? number > meaning.low : number >= meaning.low);
         if (!fine) {
             fail(fmt::format("\"{}\" has {}, expected {}, {} {:.6g} and at most {:.6g}", key, shown(found),

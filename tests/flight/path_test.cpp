@@ -47,6 +47,7 @@ TEST(PathFile, ErrorNamesThePlaceAndTheFault)
     says("\"iterations\": 100", "\"iterations\": 0", "a.json: scene");
     says("\"location\": [", "\"location\": [1e99, ", "a.json: frame 0");
     says("\"field_of_view\": 1", "\"field_of_view\": 3", "a.json: frame 0");
+    says("[0, 4, 8]", "[0, 4, 1e-320]", "a.json: scene: \"shape\" has 1e-320");  // 0 in single precision
     says("\"seed\": 3", "\"seed\": -3", "seed");
     says("{\"location\"", "{{\"location\"", "JSON");
     says("\"seed\"", "\"seed\": 4, \"seed\"", "the key /seed is given twice, expected once");
